@@ -50,7 +50,7 @@ demo: $(VENV)/.compiled ## blend a cow into a deer, and a bird: frames, animated
 test: install ## run the tests that need only Python: no network, no npm, no browser
 	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(CLUSTER_TESTS) --ignore=$(DOCS_TESTS)
 
-test-browser: install chromium ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
+test-browser: install chromium-headless-shell ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
 	$(BIN)/python -m pytest -q $(PARALLEL) $(BROWSER_TESTS)
 
 test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go through Inkscape and back
@@ -123,7 +123,7 @@ pictures: install npm ## draw the pictures of the documents, but for those of th
 api: install ## write the reference of the Python API, docs/api.md
 	$(BIN)/python -m tools.api_reference
 
-studio: install chromium ## draw the pictures of the page of the studio
+studio: install chromium-headless-shell ## draw the pictures of the page of the studio
 	$(BIN)/python -m tools.studio
 
 options: install ## write docs/options.md, and the manual page
@@ -162,7 +162,7 @@ bench-ui: install ## draw and grade the transitions of icons in docs/icons, or i
 
 FILES ?= samples
 
-ends: install chromium ## compare the ends of blends with the files in the folder FILES, in Chromium
+ends: install chromium-headless-shell ## compare the ends of blends with the files in the folder FILES, in Chromium
 	$(BIN)/python -m tools.ends $(FILES)
 
 clean: ## remove what the other targets made, except the pictures in docs
@@ -223,14 +223,14 @@ $(VENV)/.compiled: $(VENV)/.runs setup.py $(KERNEL_SOURCES)
 
 # Where one of them cannot be installed, the tests that need it are skipped. In CI `docs-check` fails then, and nothing else.
 # An installation that was interrupted is finished first, and a server that does not answer is asked again.
-.PHONY: chromium npm inkscape xvfb xauth ffmpeg
-chromium: COMMANDS := chromium chromium-browser google-chrome
+.PHONY: chromium-headless-shell npm inkscape xvfb xauth ffmpeg
+chromium-headless-shell: COMMANDS := chromium-headless-shell chromium chromium-browser google-chrome
 npm: COMMANDS := npm
 inkscape: COMMANDS := inkscape
 xvfb: COMMANDS := xvfb-run
 xauth: COMMANDS := xauth
 ffmpeg: COMMANDS := ffmpeg
-chromium npm inkscape xvfb xauth ffmpeg:
+chromium-headless-shell npm inkscape xvfb xauth ffmpeg:
 	@have() { for name in $(COMMANDS); do command -v "$$name" && return; done; return 1; } >/dev/null; \
 	have && exit 0; \
 	if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \

@@ -6,7 +6,9 @@ from shapeblend_cli.cli import run
 from tests.support.chromium import start_chromium
 from tests.support.equipment import CHROMIUM
 
-pytestmark = pytest.mark.skipif(CHROMIUM is None, reason="no Chromium here: apt-get install chromium")
+pytestmark = pytest.mark.skipif(
+    CHROMIUM is None, reason="no Chromium here: apt-get install chromium-headless-shell"
+)
 
 
 @pytest.mark.parametrize("names", ["e f", "bird-1 bird-2", "cow deer"])

@@ -103,10 +103,17 @@ def show(browser, tmp_path):
     def shown(body, **options):
         file = tmp_path / "page.html"
         file.write_text(BODY.format(body), encoding="utf-8")
+        blank = tmp_path / "blank.html"
+        blank.write_text("<!doctype html>", encoding="utf-8")
         context = browser.new_context(viewport={"width": 500, "height": 500}, **options)
         contexts.append(context)
         page = context.new_page()
+        # The shell of Chromium begins with the pointer in the corner, where drawings are, and forgets about a move in
+        # a page that is no file.
+        page.goto(blank.as_uri())
+        page.mouse.move(400, 400)
         page.goto(file.as_uri())
+        assert not page.evaluate("document.querySelector('body > *').matches(':hover')")
         return Shown(page)
 
     yield shown
