@@ -247,50 +247,60 @@ GRADIENTS = {
     "radial": ([ROUND, OVAL], ["--ease", "ease-in"]),
     "linear to radial": ([ACROSS, ROUND], []),
     "plain to linear": ([RED, DOWN], []),
-    "one after the other": ([ACROSS + RED, DOWN + BLUE], ["--stagger", "0.4", "--stagger-by", "size"]),
+    "gradients one after the other": (
+        [ACROSS + RED, DOWN + BLUE],
+        ["--stagger", "0.4", "--stagger-by", "size"],
+    ),
     "through three": ([ACROSS, BLUE, OVAL], []),
 }
 
 
-@pytest.mark.parametrize("method", ["smil", "css"])
-def test_animations_show_what_the_frames_show(here, assert_shown, method):
-    rows = []
-    for name, (paths, options) in (CASES | PICTURES | (GRADIENTS if method == "smil" else {})).items():
-        names, frames = blended(here, paths, options)
-        moving = animated(*names, "--animate", method, *options)
+def moments(method, blend, options, most, left_out=4):
+    """Rows for `assert_shown` of what `blended` has returned."""
+    names, frames = blend
+    moving = animated(*names, "--animate", method, *options)
+    # Frames are eased themselves, so they are evenly spaced in time. At a drawing itself what is a point elsewhere may
+    # be a dot.
+    return [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % left_out]
+
+
+def test_animations_show_what_the_frames_show(here, assert_shown):
+    rows = {"smil": [], "css": []}
+    for name, (paths, options) in (CASES | PICTURES | GRADIENTS).items():
+        blend = blended(here, paths, options)
         # Between two colours there are as few in between as the eye asks for.
         most = 0.015 if name == "colours" or name in GRADIENTS else 0.004
-        # Frames are eased themselves, so they are evenly spaced in time. At a drawing itself what is a point elsewhere
-        # may be a dot.
-        rows += [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % 4]
-    assert_shown(rows)
+        for method in ["smil"] if name in GRADIENTS else rows:
+            rows[method] += moments(method, blend, options, most)
+    for method in rows:
+        assert_shown(rows[method])
 
 
-@pytest.mark.parametrize("method", ["smil", "css"])
 @pytest.mark.parametrize("ease", [None, "back-in-out", "linear(0, 0.8 30%, 0.4, 1)"])
-def test_filters_and_modes_and_patterns_and_masks_change_as_in_the_frames(here, assert_shown, method, ease):
-    rows = []
+def test_filters_and_modes_and_patterns_and_masks_change_as_in_the_frames(here, assert_shown, ease):
+    rows = {"smil": [], "css": []}
     for paths, options in [*EFFECTS.values(), *([] if ease else PAINTED.values())]:
         asked = ["--ease", ease] if ease else options
-        names, frames = blended(here, paths, asked)
-        moving = animated(*names, "--animate", method, *asked)
-        # Half way modes change at once.
-        rows += [(moving, 0.5 * k, frames[k], 0.015) for k in range(1, len(frames) - 1) if k % 2]
-    assert_shown(rows)
+        blend = blended(here, paths, asked)
+        for method in rows:
+            # Half way modes change at once.
+            rows[method] += moments(method, blend, asked, 0.015, left_out=2)
+    for method in rows:
+        assert_shown(rows[method])
 
 
-@pytest.mark.parametrize("method", ["smil", "css"])
 @pytest.mark.parametrize("ease", ["back-in-out", "spring(1,100,8)", "linear(0, 0.8 30%, 0.4, 1)"])
-def test_easing_beyond_the_drawings_is_that_of_the_frames(here, assert_shown, method, ease):
-    rows = []
-    for name, (paths, options) in (CASES | PICTURES | (GRADIENTS if method == "smil" else {})).items():
+def test_easing_beyond_the_drawings_is_that_of_the_frames(here, assert_shown, ease):
+    rows = {"smil": [], "css": []}
+    for name, (paths, options) in (CASES | PICTURES | GRADIENTS).items():
         asked = [*(option for option in options if not option.startswith("ease")), "--ease", ease]
         asked = [option for k, option in enumerate(asked) if option != "--ease" or k == len(asked) - 2]
-        names, frames = blended(here, paths, asked)
-        moving = animated(*names, "--animate", method, *asked)
+        blend = blended(here, paths, asked)
         most = 0.015 if name == "colours" or name in GRADIENTS else 0.006
-        rows += [(moving, 0.5 * k, frames[k], most) for k in range(1, len(frames) - 1) if k % 4]
-    assert_shown(rows)
+        for method in ["smil"] if name in GRADIENTS else rows:
+            rows[method] += moments(method, blend, asked, most)
+    for method in rows:
+        assert_shown(rows[method])
 
 
 def test_pingpong_comes_back_the_way_it_went(here, draw):
