@@ -3,127 +3,32 @@
 import json
 import re
 import shlex
-import threading
 
 import pytest
 
 from shapeblend_cli.cli import run
-from shapeblend_cli.rows.project import Project, read_project
-from shapeblend_cli.studio.server import Studio
-from shapeblend_cli.studio.session import Session
+from shapeblend_cli.rows.project import read_project
 from tests.browser.test_images import WITH_PICTURES, shown_in, written
 from tests.browser.test_preview import CONTRASTS
 from tests.studio.test_safety import HOSTILE
 from tests.support.commands import write
 from tests.support.documents import ROOT
-from tests.support.drawings import BAR, LEAF, svg
+from tests.support.drawings import svg
 from tests.support.pictures import difference, pixels
-
-SAMPLES = ("bird-1.svg", "bird-2.svg")
-TWO = ("M3 3H10V10H3Z", "M12 12H23V23H12Z")  # parts that pair by place, and are not alike
-SWAPPED = ("M3 3H9V10H3Z", "M12 13H23V23H12Z")
-
-
-@pytest.fixture
-def studio(browser, here, samples):
-    """Open a studio in a page. Nothing may go wrong in it, and nothing may be asked for elsewhere."""
-    running, wrong, asked = [], [], []
-    for name in SAMPLES:
-        (here / name).write_bytes((samples / name).read_bytes())
-    for name, paths in {"two": TWO, "swapped": SWAPPED, "bar": [BAR], "leaf": [LEAF]}.items():
-        (here / f"{name}.svg").write_text(svg(*paths, attributes='fill="#222"'))
-
-    def open_(*files, width=1280, height=900, scheme="light", touch=False, folder="", **given):
-        session = Session(Project(files, given), folder)
-        server = Studio(session)
-        session.start()
-        threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True).start()
-        context = browser.new_context(
-            viewport={"width": width, "height": height},
-            color_scheme=scheme,
-            reduced_motion="reduce",
-            has_touch=touch,
-            accept_downloads=True,
-        )
-        running.append((server, session, context))
-        page = context.new_page()
-        page.on("console", lambda message: wrong.append(f"{message.type}: {message.text}"))
-        page.on("pageerror", lambda error: wrong.append(str(error)))
-        page.on("request", lambda request: asked.append(request.url))
-        page.goto(server.address)
-        page.wait_for_selector("html[data-ready]")
-        return page
-
-    yield open_
-    own = tuple(f"http://{host}/" for server, *_ in running for host in server.hosts)
-    for server, session, context in running:
-        context.close()
-        server.shutdown()
-        server.server_close()
-        session.stop()
-    assert [url for url in asked if not url.startswith((*own, "data:", "blob:"))] == []
-    assert wrong == []
-
-
-def shape(page):
-    return page.evaluate(
-        "() => [...document.querySelectorAll('#picture path')].map(path => path.getAttribute('d')).join(' ')"
-    )
-
-
-def changed(page, act):
-    """Do something, and wait for the blend that comes of it."""
-    version = page.evaluate("Number(document.documentElement.dataset.version)")
-    act()
-    page.wait_for_function("before => Number(document.documentElement.dataset.version) > before", arg=version)
-    settle(page)
-
-
-def settle(page):
-    """Wait until no further blend comes."""
-    page.evaluate("() => new Promise(requestAnimationFrame)")
-    page.wait_for_function("() => !document.documentElement.dataset.asking")
-
-
-def screen(page, side, point):
-    """Where a point of a drawing is on the screen."""
-    return page.evaluate(
-        """([side, [x, y]]) => {
-          const m = document.getElementById(`canvas-${side}`).getScreenCTM();
-          return [m.a * x + m.e, m.d * y + m.f];
-        }""",
-        [side, point],
-    )
-
-
-def nodes(page, side, number=0):
-    """The nodes of a part, in order."""
-    text = page.get_attribute(f"#canvas-{side} .part[data-number='{number}']", "d")
-    found = []
-    for letter, numbers in re.findall(r"([MLC])([^MLCZ]*)", text):
-        points = [tuple(map(float, pair)) for pair in re.findall(r"(-?[\d.]+),(-?[\d.]+)", numbers)]
-        found += points[2::3] if letter == "C" else points
-    return found
-
-
-def drag(page, start, end):
-    page.mouse.move(*start)
-    page.mouse.down()
-    page.mouse.move((start[0] + end[0]) / 2, (start[1] + end[1]) / 2, steps=4)
-    page.mouse.move(*end, steps=6)
-
-
-def choose_format(page, name):
-    labels = page.locator("#format option").all_text_contents()
-    page.select_option("#format", index=[label.startswith(name) for label in labels].index(True))
-
-
-def unfold(page):
-    page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = true")
-
-
-def command(page):
-    return page.inner_text("#command")
+from tests.support.studio_page import (
+    SAMPLES,
+    SWAPPED,
+    TWO,
+    changed,
+    choose_format,
+    command,
+    drag,
+    nodes,
+    screen,
+    settle,
+    shape,
+    unfold,
+)
 
 
 def test_a_pin_is_dragged_and_the_blend_follows_while_it_is_dragged(studio):

@@ -7,20 +7,17 @@ import pytest
 
 from shapeblend_cli.options.easing import CURVES, NAMES
 from shapeblend_cli.outputs.registry import FORMATS
-from tests.browser.test_studio import (  # noqa: F401
+from tests.support.documents import ROOT
+from tests.support.studio_page import (
     SAMPLES,
     changed,
     choose_format,
     command,
-    drag,
-    nodes,
     screen,
     settle,
     shape,
-    studio,
     unfold,
 )
-from tests.support.documents import ROOT
 
 DESK = {"width": 1440, "height": 900}
 PHONE = {"width": 390, "height": 844}
@@ -49,7 +46,7 @@ def ease(page, text):
 
 
 @pytest.mark.parametrize("is_timed", [False, True])
-def test_at_a_desk_the_drawings_take_the_height_that_is_left(studio, is_timed):  # noqa: F811
+def test_at_a_desk_the_drawings_take_the_height_that_is_left(studio, is_timed):
     page = studio("two.svg", "swapped.svg", **DESK)
     if is_timed:
         page.click("#timeline-card > summary")
@@ -64,7 +61,7 @@ def test_at_a_desk_the_drawings_take_the_height_that_is_left(studio, is_timed): 
     assert bottom["y"] + bottom["height"] <= DESK["height"]
 
 
-def test_what_designers_use_most_is_in_sight_and_it_is_seen_that_options_scroll(studio):  # noqa: F811
+def test_what_designers_use_most_is_in_sight_and_it_is_seen_that_options_scroll(studio):
     page = studio(*SAMPLES, **DESK)
     room = box(page, "#options")
     for name in ("ease", "ease-text", "curve", "duration", "hold-a", "repeat", "trigger", "motion"):
@@ -78,7 +75,7 @@ def test_what_designers_use_most_is_in_sight_and_it_is_seen_that_options_scroll(
 
 
 @pytest.mark.parametrize("look", [DESK, PHONE])
-def test_an_error_is_beside_its_field_which_is_marked(studio, look):  # noqa: F811
+def test_an_error_is_beside_its_field_which_is_marked(studio, look):
     page = studio(*SAMPLES, **look)
     unfold(page)
     ease(page, "no easing")
@@ -95,7 +92,7 @@ def test_an_error_is_beside_its_field_which_is_marked(studio, look):  # noqa: F8
     page.wait_for_selector("#written:has-text('Nothing was written.')")
 
 
-def test_what_was_done_is_said_until_something_else_is(studio):  # noqa: F811
+def test_what_was_done_is_said_until_something_else_is(studio):
     page = studio("two.svg", "swapped.svg")
     crossed(page)
     assert page.inner_text("#says") == "Part 0 of A becomes part 1 of B."
@@ -110,7 +107,7 @@ def test_what_was_done_is_said_until_something_else_is(studio):  # noqa: F811
     assert page.inner_text("#says") == HINT
 
 
-def test_what_was_done_before_a_reload_can_be_undone_after_it(studio):  # noqa: F811
+def test_what_was_done_before_a_reload_can_be_undone_after_it(studio):
     page = studio("two.svg", "swapped.svg")
     page.on("dialog", lambda dialog: dialog.accept())
     first = shape(page)
@@ -131,7 +128,7 @@ def test_what_was_done_before_a_reload_can_be_undone_after_it(studio):  # noqa: 
     assert studio("two.svg", "swapped.svg").is_disabled("#undo")
 
 
-def test_the_command_line_is_seen_whole_with_corrections(studio):  # noqa: F811
+def test_the_command_line_is_seen_whole_with_corrections(studio):
     pins = ((3 + 0.123, 3, 3, 3), (10, 10.5, 9, 10.25))
     page = studio(
         "two.svg", "swapped.svg", **DESK, pins=tuple((complex(a, b), complex(c, d)) for a, b, c, d in pins)
@@ -141,7 +138,7 @@ def test_the_command_line_is_seen_whole_with_corrections(studio):  # noqa: F811
     assert page.evaluate("(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight)(command)") <= 0
 
 
-def test_every_option_says_what_it_does_and_is_found(studio):  # noqa: F811
+def test_every_option_says_what_it_does_and_is_found(studio):
     page = studio(*SAMPLES, **DESK)
     unfold(page)
     assert "Seconds before" in page.inner_text("#option-delay-help")
@@ -166,7 +163,7 @@ def test_every_option_says_what_it_does_and_is_found(studio):  # noqa: F811
     assert not page.is_visible("#option-delay")
 
 
-def test_what_a_format_takes_is_asked_for_beside_it(studio):  # noqa: F811
+def test_what_a_format_takes_is_asked_for_beside_it(studio):
     page = studio(*SAMPLES, output="blend.svg", **DESK)
     for name in ("width", "fps", "background", "columns", "lossless"):
         assert not page.is_visible(f"#option-{name}")
@@ -191,7 +188,7 @@ def test_what_a_format_takes_is_asked_for_beside_it(studio):  # noqa: F811
         assert not page.is_visible("#broken"), page.inner_text("#broken")
 
 
-def test_all_easings_of_the_command_are_offered(studio):  # noqa: F811
+def test_all_easings_of_the_command_are_offered(studio):
     page = studio(*SAMPLES)
     words = page.locator("#ease option").all_text_contents()
     assert {*NAMES, *CURVES} <= set(words)
@@ -199,7 +196,7 @@ def test_all_easings_of_the_command_are_offered(studio):  # noqa: F811
     assert command(page).endswith("--ease elastic-in-out")
 
 
-def test_on_a_phone_nothing_lies_on_what_is_shown(studio):  # noqa: F811
+def test_on_a_phone_nothing_lies_on_what_is_shown(studio):
     page = studio("two.svg", "swapped.svg", touch=True, **PHONE)
     crossed(page)
     lines = "e => e.getBoundingClientRect().height / parseFloat(getComputedStyle(e).lineHeight)"
@@ -211,7 +208,7 @@ def test_on_a_phone_nothing_lies_on_what_is_shown(studio):  # noqa: F811
     assert last["y"] + last["height"] <= bar["y"]
 
 
-def test_a_project_is_saved_again_without_a_question(studio, here):  # noqa: F811
+def test_a_project_is_saved_again_without_a_question(studio, here):
     page = studio("two.svg", "swapped.svg")
     for text in ("ease", "ease-in"):
         ease(page, text)
@@ -227,7 +224,7 @@ def test_a_project_is_saved_again_without_a_question(studio, here):  # noqa: F81
     page.wait_for_selector("#notice:has-text('Saved blend.json')")
 
 
-def test_nodes_of_a_fine_drawing_leave_it_in_sight(studio, here):  # noqa: F811
+def test_nodes_of_a_fine_drawing_leave_it_in_sight(studio, here):
     for name in ("car.svg", "bus.svg"):
         (here / name).write_bytes((ROOT / "docs" / "studio" / name).read_bytes())
     page = studio("car.svg", "bus.svg", width=1280, height=700)
@@ -239,7 +236,7 @@ def test_nodes_of_a_fine_drawing_leave_it_in_sight(studio, here):  # noqa: F811
     assert near < page.locator("#canvas-b .nodes.under").evaluate(size) <= 7
 
 
-def test_a_mixture_is_not_shown_but_said(studio):  # noqa: F811
+def test_a_mixture_is_not_shown_but_said(studio):
     page = studio(*SAMPLES)
     unfold(page)
     changed(page, lambda: (page.fill("#option-mix", ".5,.5"), page.press("#option-mix", "Enter")))

@@ -5,18 +5,8 @@ import re
 
 import pytest
 
-from tests.browser.test_studio import (  # noqa: F401
-    choose_format,
-    command,
-    drag,
-    nodes,
-    screen,
-    settle,
-    shape,
-    studio,
-    unfold,
-)
 from tests.support.documents import ROOT
+from tests.support.studio_page import choose_format, command, drag, nodes, screen, settle, shape, unfold
 
 DRAWINGS = {
     "studio": "car bus clouds rain run walk sun moon".split(),
@@ -116,7 +106,7 @@ class User:
 
 
 @pytest.mark.parametrize("seed", range(30))
-def test_nothing_goes_wrong_whatever_comes_after_what(studio, here, seed):  # noqa: F811
+def test_nothing_goes_wrong_whatever_comes_after_what(studio, here, seed):
     files = PAIRS[seed % len(PAIRS)]
     for file in files:
         (here / file.rpartition("/")[2]).write_bytes((ROOT / "docs" / file).read_bytes())
