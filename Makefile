@@ -17,6 +17,8 @@ DOCS_TESTS := tests/docs
 # In as many processes as there are processors, each file by one of them, in their order: those that take long are
 # not among the last.
 PARALLEL := -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
+# Browsers wait much of the time, so there is one process more; each takes tests from the others at the end.
+PARALLEL_BROWSERS := -n $(shell expr $$(nproc 2>/dev/null || echo 2) + 1) --maxprocesses 8 --dist worksteal
 WHEEL_TESTS := tests/wheels
 CLUSTER_TESTS := tests/cluster
 # Compiled modules: pyproject.toml has the list.
@@ -51,7 +53,7 @@ test: install ## run the tests that need only Python: no network, no npm, no bro
 	$(BIN)/python -m pytest -q $(PARALLEL) --ignore=$(BROWSER_TESTS) --ignore=$(INKSCAPE_TESTS) --ignore=$(WHEEL_TESTS) --ignore=$(CLUSTER_TESTS) --ignore=$(DOCS_TESTS)
 
 test-browser: install chromium-headless-shell ffmpeg npm ## test animations, the page of --preview, the studio, and what other programs play, in Chromium
-	$(BIN)/python -m pytest -q $(PARALLEL) $(BROWSER_TESTS)
+	$(BIN)/python -m pytest -q $(PARALLEL_BROWSERS) $(BROWSER_TESTS)
 
 test-inkscape: install inkscape xvfb xauth ## test the extension in Inkscape, and drawings that go through Inkscape and back
 	$(BIN)/python -m pytest -q $(INKSCAPE_TESTS)
