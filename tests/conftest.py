@@ -1,8 +1,12 @@
 """Shared settings and fixtures."""
 
 import importlib.util
+import os
 import sys
 from pathlib import Path
+
+# As of a command, before numpy is imported: more threads gain nothing, and spin while they wait.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import hypothesis
 import numpy as np
