@@ -6,7 +6,7 @@ import numpy as np
 import resvg_py
 from PIL import Image
 
-SIZE, FINER = 240, 4
+SIZE, FINER = 240, 3
 
 
 def pixels(svg):
