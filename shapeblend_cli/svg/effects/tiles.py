@@ -94,7 +94,8 @@ def pattern_of(
     matrix = matrix @ own @ translation(x, y)
     if width <= 0.0 or height <= 0.0 or not is_sound(matrix) or abs(matrix.determinant) < _NO_AREA:
         return None
-    if max(width, height) > LARGEST_TILE * max(box.larger_side, 1e-9):
+    sides = width * math.hypot(own.a, own.b), height * math.hypot(own.c, own.d)
+    if max(sides) > LARGEST_TILE * max(box.larger_side, 1e-9):
         return None
     inner: Affine | None = IDENTITY
     if viewed is not None:

@@ -152,7 +152,7 @@ class Painter:
     def _fallback(self, given: colours.Paint) -> colours.Paint | None:
         """Return a paint server's fallback if that is painted: in place of a missing server."""
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        return None if given.fallback is None or _paints(server) else given.fallback
+        return None if given.fallback is None or _paints(server, self._ids) else given.fallback
 
     def _colour(self, given: colours.Paint, inherited: Inherited) -> tuple[str | None, float]:
         """Return the plain colour that stands for a paint, and its opacity."""
@@ -166,7 +166,7 @@ class Painter:
         if fallback is not None:
             return self._colour(fallback, inherited)
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        if not _paints(server):
+        if not _paints(server, self._ids):
             return None, 1.0  # as in browsers
         stops = self._stops_of(_chain(given.link, self._ids))
         # A gradient's first colour, opaque: a later stop may well be.
@@ -195,11 +195,13 @@ class Painter:
         return in_force(self._cascade, reversed(path), self._notes.add)
 
 
-def _paints(server: Node | None) -> bool:
-    """Return whether a paint server is there, and not an empty pattern."""
+def _paints(server: Node | None, ids: Mapping[str, Node]) -> bool:
+    """Return whether a paint server is there, and not a pattern with nothing in it and in those it refers to."""
     if server is None or server.tag in _GRADIENTS:
         return server is not None
-    return server.tag == "pattern" and bool(server.children or server.link())
+    from shapeblend_cli.svg.effects import tiles
+
+    return server.tag == "pattern" and any(node.children for node in tiles.chain(server, ids))
 
 
 def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:

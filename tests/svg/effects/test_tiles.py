@@ -66,6 +66,25 @@ def test_a_tile_is_where_the_file_has_it(attributes, shape, expected):
     )
 
 
+def test_a_large_tile_may_be_scaled_down():
+    dots = DOTS.replace('width="10"', 'width="1000"').format('patternTransform="scale(.01 1)"')
+    assert pattern(dots).scale == pytest.approx((0.01, 1))
+
+
+@pytest.mark.parametrize(
+    "definitions",
+    [
+        '<pattern id="p" href="#p"/>',
+        '<pattern id="p" href="#q"/>',
+        '<pattern id="p" href="#q"/><pattern id="q" href="#p"/>',
+    ],
+)
+def test_a_pattern_of_patterns_with_nothing_in_them_paints_nothing(definitions):
+    drawing = drawn(definitions + FILLED + FILLED.replace("url(#p)", "url(#p) red") + BOX)
+    assert [shape.style.fill for shape in drawing.shapes] == ["#ff0000", drawn(BOX).shapes[0].style.fill]
+    assert drawing.notes == ()
+
+
 def test_patterns_refer_to_each_other_and_have_viewboxes():
     found = pattern(f'{DOTS.format("")}<pattern id="q" href="#p" width="20"/>', FILLED.replace("#p", "#q"))
     assert found.size == (20, 10)
@@ -203,7 +222,6 @@ def test_patterns_and_masks_in_each_other_are_bounded(monkeypatch):
     [
         f'<pattern id="p" width="1e8" height="1e8" patternUnits="userSpaceOnUse">{DOT}</pattern>{FILLED}',
         f'<pattern id="p" width="-1" height="nan">{DOT}</pattern>{FILLED}',
-        f'<pattern id="p" href="#p"/>{FILLED}',
         f'<pattern id="p" width="1" height="1"><image href="http://example.org/a.png"/></pattern>{FILLED}',
         f'<pattern id="p" width="1" height="1"><script>alert(1)</script>{DOT}</pattern>{FILLED}',
         f'<pattern id="p" width="1" height="1" patternTransform="scale(0)">{DOT}</pattern>{FILLED}',
