@@ -65,6 +65,16 @@ def chain(node: Node, ids: Mapping[str, Node]) -> list[Node]:
     return found
 
 
+def has_tile(links: Sequence[Node]) -> bool:
+    """Return whether a chain of patterns has something to draw, on a tile with an extent: others paint nothing."""
+    sides = [
+        next((node.attrib[side] for node in links if side in node.attrib), "") for side in ("width", "height")
+    ]
+    return any(node.children for node in links) and all(
+        (length(side, whole=1.0) or 0.0) > 0.0 for side in sides
+    )
+
+
 def pattern_of(
     links: Sequence[Node], matrix: Affine, box: Box, lengths: Lengths, draw: Draw, fit: Fit
 ) -> Pattern | None:

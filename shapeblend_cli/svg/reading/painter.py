@@ -196,12 +196,12 @@ class Painter:
 
 
 def _paints(server: Node | None, ids: Mapping[str, Node]) -> bool:
-    """Return whether a paint server is there, and not a pattern with nothing in it and in those it refers to."""
+    """Return whether a paint server is there, and not a pattern that has no tile."""
     if server is None or server.tag in _GRADIENTS:
         return server is not None
     from shapeblend_cli.svg.effects import tiles
 
-    return server.tag == "pattern" and any(node.children for node in tiles.chain(server, ids))
+    return server.tag == "pattern" and tiles.has_tile(tiles.chain(server, ids))
 
 
 def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:

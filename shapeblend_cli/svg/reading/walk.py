@@ -188,7 +188,7 @@ class Walk:
                 given = Given(declared, visit.matrix, visit.inherited, visit.lengths, len(visit.groups), mask)
                 visit = visit._replace(effects=self._layers.add(given, visit.effects))
         reason = None
-        if declared.get("display", "").strip().lower() == "none":
+        if declared.get("display", "").strip().lower() == "none" and visit.node.tag != "marker":
             reason = "not displayed"
         elif visit.opacity == 0:
             # Icon sets put a frame of opacity 0 around every drawing.

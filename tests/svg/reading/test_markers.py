@@ -39,6 +39,7 @@ def test_an_arrowhead_ends_at_the_end_and_is_as_large_as_the_stroke_is_wide():
         ('orient="1e999"', "end", (14.0, 9.0, 20.0, 15.0)),
         ('orient="1.5707963rad"', "end", (17.0, 6.0, 23.0, 12.0)),
         ('markerUnits="userSpaceOnUse" markerWidth="4" markerHeight="4"', "end", (16.0, 10.0, 20.0, 14.0)),
+        ('orient="auto" display="none"', "end", (14.0, 9.0, 20.0, 15.0)),
         ('markerWidth="6" markerHeight="3"', "end", (14.0, 9.0, 20.0, 15.0)),
     ],
 )

@@ -197,7 +197,7 @@ NOTES = {
         ("stroke cannot be read", "fill cannot be read", "stroke-width cannot be read"),
     ),
     "a pattern": (
-        f'<defs><pattern id="p"><image/></pattern></defs><g fill="url(#p)">{RECT}</g>',
+        f'<pattern id="p" width="99" height="99">{RECT}</pattern><g fill="url(#p)">{RECT}</g>',
         ("a gradient or pattern read as a plain colour",),
     ),
     "effects": (
