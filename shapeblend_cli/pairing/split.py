@@ -50,6 +50,9 @@ MOST_IN_ROWS = 24
 UPRIGHT = 0.2
 """Maximum slope of a cut that is made upright or level, as the sine of an angle."""
 
+NOTCH = np.radians(45.0)
+"""Minimum turn inwards at a notch of an outline, in radians."""
+
 NEAR_CUT = 0.08
 """Maximum move of an end of such a cut, as a share of the number of vertices."""
 
@@ -406,7 +409,7 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
     """
     polygon = outline.polygon
     z, chord = polygon.vertices, complex(polygon.vertices[j] - polygon.vertices[i])
-    if not _is_straight(chord):
+    if not _is_straight(chord) or any(_is_notch(z, k) for k in (i, j)):
         return polygon, i, j
     turn = 1.0 if abs(chord.real) < abs(chord.imag) else -1j  # what is level becomes upright
     upright = z * turn
@@ -428,6 +431,12 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
     fine = outline._replace(polygon=finer)
     is_inside = fine.may_be_cut(complex(finer.vertices[i]), complex(finer.vertices[j]))
     return (finer, i, j) if is_inside else (polygon, i, j)
+
+
+def _is_notch(z: ComplexArray, k: int) -> bool:
+    """Return whether an outline turns inwards at a vertex, as a heart does: cuts had best begin there."""
+    turn = np.angle((z[(k + 1) % len(z)] - z[k]) / (z[k] - z[k - 1]))
+    return bool(turn * np.sign(signed_area(z)) < -NOTCH)
 
 
 def _is_straight(chord: complex) -> bool:

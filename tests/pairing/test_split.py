@@ -209,3 +209,14 @@ def test_a_head_that_moves_is_not_cut_for_the_head_that_comes_beside_it():
     head = "M12 3A5 5 0 1 0 12 13A5 5 0 1 0 12 3Z"
     heads = "M10 3A4.5 4.5 0 1 0 10 12A4.5 4.5 0 1 0 10 3Z M16 3.5A4.5 4.5 0 0 1 16 12C18 9 18 6 16 3.5Z"
     assert not any(p.is_piece or q.is_piece for p, q in pairs(head, heads, "auto"))
+
+
+def test_a_heart_breaks_at_its_notch():
+    heart = "M12 8C11 3 2 2 2 9C2 15 9 19 12 22C15 19 22 15 22 9C22 2 13 3 12 8Z"
+    broken = "M10 7C6 3 2 4 2 9C2 15 8 19 11 22L8 15L12 12Z M13 6L15 12L11 15L13 22C16 19 22 15 22 9C22 4 16 2 13 6Z"
+    pieces = [p for p, _ in pairs(heart, broken)]
+    assert len(pieces) == 2
+    assert all(p.is_piece for p in pieces)
+    for piece in pieces:
+        nodes = piece.contour.segments[:, 0]
+        assert np.abs(nodes - (12 + 8j)).min() < 1e-9
