@@ -296,30 +296,26 @@ def sweep(
                     w_e = w_s = INFINITY
 
             if alive:
-                # Leaving Southeast, after any step.
+                # Leaving Southeast, after any step. Which is least is as good as random: sums, not jumps.
                 by_e = w_e + bends[k, ED]
                 by_s = w_s + bends[k, SD]
                 by_d = w_d + bends[k, DD]
-                parent_d = SOUTHEAST
-                if by_d > by_e or by_d > by_s:
-                    parent_d = SOUTH if by_s < by_e else EAST
-                    by_d = min(by_e, by_s)
+                parent_s = by_s < by_e  # SOUTH, else EAST
+                by_e = by_s if by_s < by_e else by_e
+                parent_d = SOUTHEAST - (by_d > by_e) * (SOUTHEAST - parent_s)
+                by_d = by_e if by_d > by_e else by_d
                 leaving[current + 1, r - base] = by_d + southeast[k]
                 # Leaving South, after South or Southeast.
                 by_s = w_s + bends[k, SS]
                 by_d = w_d + bends[k, DS]
-                parent_s = SOUTH
-                if by_d < by_s:
-                    by_s = by_d
-                    parent_s = SOUTHEAST
+                parent_s = SOUTH + (by_d < by_s) * (SOUTHEAST - SOUTH)
+                by_s = by_d if by_d < by_s else by_s
                 leaving_south = by_s + south[j] * weight[i]
                 # Leaving East, after East or Southeast.
                 by_e = w_e + bends[k, EE]
                 by_d = w_d + bends[k, DE]
-                parent_e = EAST
-                if by_d < by_e:
-                    by_e = by_d
-                    parent_e = SOUTHEAST
+                parent_e = (by_d < by_e) * SOUTHEAST  # else EAST
+                by_e = by_d if by_d < by_e else by_e
                 leaving[current, r - base] = by_e + east[i]
                 parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
             else:
