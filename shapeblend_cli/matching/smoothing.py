@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.model.arrays import rolled
+
 try:
     import cython
 except ImportError:  # Cython is needed to build, not to run
@@ -80,14 +82,16 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     the ramp. A smoothed outline hardly bends between two places of a fine grid, and where there are far more vertices
     it is interpolated between these: each corner is felt at `GRID` times twice `REACH` of them.
     """
-    edges = np.diff(np.append(vertices, vertices[0]) if closed else vertices)
+    outline = np.concatenate([vertices, vertices[:1]]) if closed else vertices
+    edges = outline[1:] - outline[:-1]
     lengths = np.abs(edges)
     direction = edges / lengths
-    ends = np.append(0.0, np.cumsum(lengths))
+    ends = np.concatenate([[0.0], lengths.cumsum()])
     length = ends[-1]
     at = ends[: len(vertices)] / length
     if closed:
-        turns = np.tile(direction - np.roll(direction, 1), 3)
+        turn = direction - rolled(direction, 1)
+        turns = np.concatenate([turn, turn, turn])
         corners = np.concatenate([at - 1.0, at, at + 1.0])
     else:
         turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
@@ -100,7 +104,6 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
         return vertices + (1.0 - OUTLINE) * sigma * length * moves
     grid, moves = np.arange(count + 1) / count, np.zeros(count + 1, np.complex128)
     _add_moves(grid, corners, turns, sigma, moves)
-    outline = np.append(vertices, vertices[0]) if closed else vertices
     smooth = np.interp(grid, ends / length, outline) + sigma * length * moves
     return vertices + (1.0 - OUTLINE) * (_interpolated(smooth, count * at) - vertices)
 
@@ -140,6 +143,8 @@ def _add_moves(
         while corners[first] < at[vertex] - reach:
             first += 1
         corner = first
+        x: cython.double = 0.0
+        y: cython.double = 0.0
         while corner < corners.shape[0] and corners[corner] <= at[vertex] + reach:
             place: cython.double = fabs(corners[corner] - at[vertex]) / sigma * FINE
             k: cython.Py_ssize_t = cython.cast(cython.Py_ssize_t, place)
@@ -149,8 +154,10 @@ def _add_moves(
             height: cython.double = (1.0 + 2.0 * u) * rest * rest * heights[k]
             height += (3.0 - 2.0 * u) * u * u * heights[k + 1]
             height += u * rest * (rest * slopes[k] - u * slopes[k + 1])
-            moves[vertex] += turns[corner] * height
+            x += turns[corner].real * height
+            y += turns[corner].imag * height
             corner += 1
+        moves[vertex] = x + 1j * y
 
 
 @cache
