@@ -121,6 +121,8 @@ class Corners:
     closed : bool
         An open wire goes straight on beyond its ends: the missing edge of an end vertex is its other edge reversed, so
         a run of coincident vertices there lies along the wire.
+    only_turns : bool
+        Know `turn` alone, which is what bending by turning without a penalty asks for; the others are empty.
 
     Attributes
     ----------
@@ -152,7 +154,10 @@ class Corners:
     ahead: cython.double[::1]
     aside: cython.double[::1]
 
-    def __init__(self, vertices: ComplexArray, closed: bool) -> None:
+    def __init__(self, vertices: ComplexArray, closed: bool, only_turns: bool = False) -> None:
+        if only_turns:
+            self.turn = turns(vertices, closed)
+            return
         back, fwd = _edges_at(vertices, closed)
         theta = _theta(back, fwd)
         base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))

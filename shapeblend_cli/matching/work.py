@@ -127,8 +127,9 @@ class Wires:
 
     @cached_property
     def _smooth_corners(self) -> tuple[Corners, Corners]:
-        first, second = self.wires
-        return Corners(first.smooth, self.closed), Corners(second.smooth, self.closed)
+        only_turns = self.constants.bending == "turn"
+        first, second = (Corners(wire.smooth, self.closed, only_turns) for wire in self.wires)
+        return first, second
 
     @cached_property
     def _stations(self) -> tuple[Stations, Stations]:
