@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -52,6 +53,17 @@ def orientation(polygon: Polygon) -> int:
     nearly all of its interior must be on that side: the turns of a figure of eight cancel, and that one lobe is larger
     means nothing, but a small loop in a drawing's outline is a slip. Open polygons have no orientation.
     """
+    known = _ORIENTATIONS.get(polygon)
+    if known is None:
+        known = _ORIENTATIONS[polygon] = _orientation(polygon)
+    return known
+
+
+_ORIENTATIONS: WeakKeyDictionary[Polygon, int] = WeakKeyDictionary()
+"""Orientations of polygons there are: several stages ask for that of the same one."""
+
+
+def _orientation(polygon: Polygon) -> int:
     if not polygon.closed:
         return 0
     vertices = polygon.vertices

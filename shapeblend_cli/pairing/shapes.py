@@ -183,10 +183,12 @@ def _as_their_exteriors(
     contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
 ) -> list[PlacedContour]:
     """Reverse the holes of exteriors that were reversed to be matched, or these would be no holes on the way."""
+    if not here or all(contour.exterior is None for contour in contours):
+        return [*contours]
     turned = {
         match.pair[1].number
         for match in matches
-        if here and orientation(match.blend.polygon_b) == -orientation(match.pair[1].polygon)
+        if orientation(match.blend.polygon_b) == -orientation(match.pair[1].polygon)
     }
     return [contour.reversed() if contour.exterior in turned else contour for contour in contours]
 
