@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import add_distances, cumulative_lengths
+from shapeblend_cli.geometry.polyline import add_distances
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
     from shapeblend_cli.model import ComplexArray, FloatArray
 
-TIMES = (0.25, 0.5, 0.75)
+TIMES = np.array([0.25, 0.5, 0.75])
 """Times at which in-betweens are compared."""
 
 LEAST_SAMPLES = 4
@@ -45,23 +46,35 @@ def deviation(
     piece = np.repeat(np.arange(len(counts)), counts)
     begins = np.cumsum(counts) - counts
     u = (np.arange(len(piece)) - begins[piece]) / counts[piece]
-    curve_a, curve_b = (
-        np.append(cubics.evaluate(segments[piece], u), segments[-1, 3])
-        for segments in (segments_a, segments_b)
-    )
-    polygon_a, polygon_b = match.vertices
-    curve_cuts = np.append(begins, len(piece))
+    ends = np.concatenate([piece, [len(counts) - 1]]), np.concatenate([u, [1.0]])
+    curve_a, curve_b = (cubics.evaluate(segments[ends[0]], ends[1]) for segments in (segments_a, segments_b))
+    curve_a[-1], curve_b[-1] = segments_a[-1, 3], segments_b[-1, 3]
+    curves, curve_lengths = _in_betweens(curve_a, curve_b)
+    polygons, polygon_lengths = _polygons(match)
+    curve_cuts = np.concatenate([begins, [len(piece)]])
     far = np.zeros(len(match.positions))
-    for t in TIMES:
-        curve: ComplexArray = curve_a + t * (curve_b - curve_a)
-        polygon: ComplexArray = polygon_a + t * (polygon_b - polygon_a)
-        length_curve, length_polygon = cumulative_lengths(curve), cumulative_lengths(polygon)
+    for curve, length_curve, polygon, length_polygon in zip(
+        curves, curve_lengths, polygons, polygon_lengths, strict=True
+    ):
         # Lengths along both, made equal at the cuts.
         polygon_at_cuts = np.interp(cut_progress, progress, length_polygon)
         curve_at_cuts = length_curve[curve_cuts]
         on_curve = np.interp(length_polygon, polygon_at_cuts, curve_at_cuts)
         on_polygon = np.interp(length_curve, curve_at_cuts, polygon_at_cuts)
-        outlines = [points.view(np.float64).reshape(-1, 2) for points in (polygon, curve)]
-        add_distances(*outlines, on_curve, length_curve, match.a.closed, True, far)
-        add_distances(*outlines[::-1], on_polygon, length_polygon, match.a.closed, False, far)
+        add_distances(polygon, curve, on_curve, length_curve, match.a.closed, True, far)
+        add_distances(curve, polygon, on_polygon, length_polygon, match.a.closed, False, far)
     return far
+
+
+@lru_cache(maxsize=1)
+def _polygons(match: ContinuousMatch) -> tuple[FloatArray, FloatArray]:
+    """Return the in-betweens of the polygons of a match, which stay while cuts are made."""
+    return _in_betweens(*match.vertices)
+
+
+def _in_betweens(a: ComplexArray, b: ComplexArray) -> tuple[FloatArray, FloatArray]:
+    """Return the points between two rows of points at all `TIMES`, (t, n, 2), and the lengths up to each, (t, n)."""
+    points = a + TIMES[:, None] * (b - a)
+    lengths = np.zeros(points.shape)
+    np.abs(points[:, 1:] - points[:, :-1]).cumsum(axis=1, out=lengths[:, 1:])
+    return points.view(np.float64).reshape(*points.shape, 2), lengths
