@@ -115,8 +115,9 @@ def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray
     """
     if not lines.any():
         return segments
-    legs = np.abs(np.diff(others[lines], axis=1))
-    chord = np.abs(others[lines, 3] - others[lines, 0])
+    matched = others[lines]
+    legs = np.abs(matched[:, 1:] - matched[:, :-1])
+    chord = np.abs(matched[:, 3] - matched[:, 0])
     length = 0.5 * (legs.sum(axis=1) + chord)
     length = np.where(length > 0.0, length, 1.0)
     return _set_handles(segments, lines, legs[:, 0] / length, legs[:, 2] / length)
@@ -140,8 +141,9 @@ def _set_handles(
     """Give lines handles of these lengths, as shares of the line."""
     divided = segments.copy()
     start, end = segments[lines, 0], segments[lines, 3]
-    divided[lines, 1] = start + np.clip(head, LEAST_HANDLE, MOST_HANDLE) * (end - start)
-    divided[lines, 2] = end - np.clip(tail, LEAST_HANDLE, MOST_HANDLE) * (end - start)
+    whole = end - start
+    divided[lines, 1] = start + np.minimum(np.maximum(head, LEAST_HANDLE), MOST_HANDLE) * whole
+    divided[lines, 2] = end - np.minimum(np.maximum(tail, LEAST_HANDLE), MOST_HANDLE) * whole
     return divided
 
 

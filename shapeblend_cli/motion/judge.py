@@ -259,7 +259,10 @@ class _Regions:
     def __init__(self, outlines: Outlines, points: ComplexArray) -> None:
         self.starts = points[:, outlines.closed]
         self.ends = points[:, outlines.following[outlines.closed]]
-        self.boxes = [Box.around(points) for points in self.starts]
+        x, y = self.starts.real, self.starts.imag
+        left, top = x.min(axis=1), y.min(axis=1)
+        sides = np.stack([left, top, x.max(axis=1) - left, y.max(axis=1) - top], axis=1)
+        self.boxes = [Box(*bounds) for bounds in sides.tolist()]
         self.own = [self.grid(k, box) if box.larger_side > 0.0 else None for k, box in enumerate(self.boxes)]
 
     def grid(self, k: int, box: Box) -> tuple[IntArray, float]:
