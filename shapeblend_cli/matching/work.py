@@ -229,8 +229,8 @@ class Wires:
         stretching = stiff * stretching_work(
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
         )
-        terms = (self._bends_along(at, kinds, add) for add in self._terms_of_bends)
-        zeros = self._bends_along(at, kinds, partial(self._fill, self._corners, 0.0, 1.0))
+        zero_angles = partial(self._fill, self._corners, 0.0, 1.0)
+        *terms, zeros = self._bends_along(at, kinds, *self._terms_of_bends, zero_angles)
         work = Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
         return work, int(zeros.sum())
 
@@ -241,7 +241,7 @@ class Wires:
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
         """Return the dots of a path (see `price`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, self._add_bending)
+        return at, kinds, self._bends_along(at, kinds, self._add_bending)[0]
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
@@ -260,10 +260,15 @@ class Wires:
             )
         return start, moves, at, kinds
 
-    def _bends_along(self, at: IntArray, kinds: IntArray, add: AddWork) -> FloatArray:
-        """Return one term of the work of a bend at each dot."""
-        bends = np.zeros((len(at), 7))
-        if len(at):
-            columns, rows = at[:, 0].copy(), at[:, 1].copy()
-            add(columns, Window.between(rows, rows), bends)
-        return bends[np.arange(len(at)), kinds]
+    def _bends_along(self, at: IntArray, kinds: IntArray, *terms: AddWork) -> list[FloatArray]:
+        """Return terms of the work of a bend at each dot."""
+        numbers = np.arange(len(at))
+        columns, rows = at[:, 0].copy(), at[:, 1].copy()
+        window = Window(rows, rows, numbers)
+        found = []
+        for add in terms:
+            bends = np.zeros((len(at), 7))
+            if len(at):
+                add(columns, window, bends)
+            found.append(bends[numbers, kinds])
+        return found

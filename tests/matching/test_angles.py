@@ -199,4 +199,6 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled, 
 def test_turns_alone_are_those_of_all_angles(rng):
     vertices = np.exp(2j * np.pi * np.arange(30) / 30) + 0.1 * rng.normal(size=30)
     for closed in (True, False):
-        assert np.array_equal(angles.turns(vertices, closed), angles.Corners(vertices, closed).turn)
+        turn = angles.Corners(vertices, closed).turn
+        assert np.array_equal(angles.turns(vertices, closed), turn)
+        assert np.array_equal(angles.Corners(vertices, closed, True).turn, turn)
