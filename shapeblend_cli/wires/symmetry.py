@@ -131,13 +131,20 @@ def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     if not axes:
         return None
     axes_a, axes_b = zip(*axes, strict=True)
+    found: dict[tuple[bytes, ...], Correspondence] = {}
 
     def solve_part(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
         flats = parts[0].flat, parts[1].flat
-        return Solved(*flats, _solve_parts(parts, match.wires(*flats), match.settings.effort))
+        # The last cuts are solved once more where they change nothing: there is nothing beyond a search everywhere.
+        cuts = tuple(
+            some.tobytes() for side in parts for some in (side.flat.polygon.vertices, *side.vertices)
+        )
+        if cuts not in found:
+            found[cuts] = _solve_parts(parts, match.wires(*flats), match.settings.effort)
+        return Solved(*flats, found[cuts])
 
     try:
         solved = refine(match, solve_part(match.a, match.b), solve_part)
