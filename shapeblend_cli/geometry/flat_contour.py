@@ -97,17 +97,17 @@ class FlatContour:
         """
         polygon, own = self.polygon, self.shares
         shares = np.sort(shares % 1.0 if polygon.closed else shares)
-        least = near * _median(np.diff(own))
-        before = np.clip(np.searchsorted(own, shares, side="right") - 1, 0, len(own) - 2)
+        least = near * _median(own[1:] - own[:-1])
+        before = np.minimum(np.maximum(own.searchsorted(shares, side="right") - 1, 0), len(own) - 2)
         shares = shares[np.minimum(shares - own[before], own[before + 1] - shares) > least]
         shares = shares[_apart(shares, least)]
 
         points, segment, parameter = self.points_at(shares)
-        order = np.argsort(np.append(own[: len(polygon.vertices)], shares), kind="stable")
+        order = np.concatenate([own[: len(polygon.vertices)], shares]).argsort(kind="stable")
         cut = Polygon(
-            np.append(polygon.vertices, points)[order],
-            np.append(polygon.segment, segment)[order],
-            np.append(polygon.parameter, parameter)[order],
+            np.concatenate([polygon.vertices, points])[order],
+            np.concatenate([polygon.segment, segment])[order],
+            np.concatenate([polygon.parameter, parameter])[order],
             polygon.closed,
         )
         return replace(self, polygon=cut)

@@ -134,7 +134,7 @@ def _branch_and_bound(
             for part in starts.without(first, last - graph.span):
                 # No path of a row's own takes less than the least one to its end.
                 least = found.ends[part.first_row - starts.first_row :][: part.rows]
-                rows = np.flatnonzero(least < limit)
+                rows = (least < limit).nonzero()[0]
                 if len(rows):
                     bound = max(float(least[rows].min()), starts.bound)
                     first, last = (part.first_row + int(rows[k]) for k in (0, -1))
