@@ -20,9 +20,6 @@ COPY = "a pen line that splits, or joins another like it"
 SAME_SIZE = 0.15
 """Tolerance of the sizes of closed lines of which one splits into the others, as a share."""
 
-CLOSES = 0.5
-"""Time at which halves of a line begin to close, of 1: before, they would be drawn along each other."""
-
 COPY_SIZE = 0.4
 """Tolerance of the sizes of closed lines of which one comes out of the other, as a share."""
 
@@ -115,8 +112,7 @@ def splitting(line: PenLine, targets: Sequence[PenLine], *, joins: bool) -> list
         ends = alike(half.ends, half.target, by_corners=False)  # both sides alike
         before, after = (target, line) if joins else (line, target)
         shares = (1.0, 0.0) if joins else (0.0, 1.0)
-        span = (0.0, 1.0 - CLOSES) if joins else (CLOSES, 1.0)
-        first, last = (Drawing(smooth(tail), *shares, span=span) for tail in half.tails)
+        first, last = (Drawing(smooth(tail), *shares) for tail in half.tails)
         pieces = between(*(ends[::-1] if joins else ends), closed=True)
         moves.append(Move(before, after, Pen((pieces,), (first, last)), COPY))
     return moves
