@@ -9,6 +9,7 @@ import cmath
 import hashlib
 import math
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -67,12 +68,13 @@ def chain(node: Node, ids: Mapping[str, Node]) -> list[Node]:
 
 def has_tile(links: Sequence[Node]) -> bool:
     """Return whether a chain of patterns has something to draw, on a tile with an extent: others paint nothing."""
-    sides = [
-        next((node.attrib[side] for node in links if side in node.attrib), "") for side in ("width", "height")
-    ]
-    return any(node.children for node in links) and all(
-        (length(side, whole=1.0) or 0.0) > 0.0 for side in sides
-    )
+    sides = (length(_given(links, name), whole=1.0) or 0.0 for name in ("width", "height"))
+    return any(node.children for node in links) and all(side > 0.0 for side in sides)
+
+
+def _given(links: Sequence[Node], name: str) -> str:
+    """Return an attribute of a chain of patterns, of the first that has it; empty if none does."""
+    return next((node.attrib[name] for node in links if name in node.attrib), "")
 
 
 def pattern_of(
@@ -82,10 +84,7 @@ def pattern_of(
 
     The `matrix` maps the shape's coordinates to the root's; the `box` is around the shape, without its stroke.
     """
-
-    def given(name: str) -> str:
-        return next((node.attrib[name] for node in links if name in node.attrib), "")
-
+    given = partial(_given, links)
     holder = next((node for node in links if node.children), None)
     viewed = next((node for node in links if "viewBox" in node.attrib), None)
     if holder is None:

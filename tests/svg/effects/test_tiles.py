@@ -78,6 +78,7 @@ def test_a_large_tile_may_be_scaled_down():
         '<pattern id="p" href="#q"/>',
         '<pattern id="p" href="#q"/><pattern id="q" href="#p"/>',
         f'<pattern id="p">{DOT}</pattern>',
+        f'<pattern id="p" width="-1" height="nan">{DOT}</pattern>',
         f'<pattern id="p" width="10" height="0">{DOT}</pattern>',
         f'<pattern id="p" href="#q" width="-1"/><pattern id="q" width="1" height="1">{DOT}</pattern>',
     ],
