@@ -128,12 +128,12 @@ def _by_lines_or_outlines(
     def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
         if not _is_free(settings):
             return shapes
-        if is_sign and (kept < KEPT or changes_much(shapes, view.larger_side)):
+        are_changed = changes_much(shapes, view.larger_side)
+        if is_sign and (kept < KEPT or are_changed):
             early = early_shares(shapes, alone_in(shapes), are_changed=True)
         else:
-            parts = alone_in_the_way(shapes, view.larger_side)
-            early = early_shares(shapes, parts, bool(parts) and changes_much(shapes, view.larger_side))
-            if not is_sign and is_of_one_colour(shapes) and changes_much(shapes, view.larger_side):
+            early = early_shares(shapes, alone_in_the_way(shapes, view.larger_side), are_changed)
+            if not is_sign and are_changed and is_of_one_colour(shapes):
                 early = dict.fromkeys(leaving(shapes), LEAVES) | early
         shapes = with_early_parts(shapes, early)
         return carried_by_lines(shapes) if is_sign else shapes
