@@ -63,8 +63,7 @@ def _narrow(
 ) -> None:
     """Narrow the balls of points, which rise in x, by each other; only points within a diameter matter.
 
-    They are looked at in the order of the outline: what bounds the last ball, or is next to that, most often nearly
-    bounds the next one.
+    They are looked at in the order of the outline: what bounds the last ball most often nearly bounds the next one.
     """
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t

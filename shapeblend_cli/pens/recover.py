@@ -83,12 +83,6 @@ OVER = 0.03
 REACH = 3.2
 """Maximum distance of ends that are joined, in widths."""
 
-SHARPEST = np.radians(155.0)
-"""Maximum turn from one of them to the other, in radians."""
-
-LEAST_FACING = 1e-9 - np.cos(SHARPEST)
-"""Maximum cosine of the angle between the directions out of such ends, with room for rounding."""
-
 ROUND_POINTS = 9
 """Number of points of a corner that is rounded."""
 
@@ -244,14 +238,11 @@ def _edges(stretches: Sequence[Stretch]) -> tuple[ComplexArray, ComplexArray, In
 def _once(stretches: Sequence[Stretch]) -> list[Stretch]:
     """Keep each stretch of centre line once, of both sides of the stroke: the longest first."""
     kept: list[Stretch] = []
-    outlines: list[ComplexArray] = []
     for one in sorted(stretches, key=lambda each: (not each.closed, -round(length(each.points), 3))):
         if not kept:
             kept.append(one)
             continue
-        outlines += [each.outline for each in kept[len(outlines) :]]
-        starts = np.concatenate([points[:-1] for points in outlines])
-        ends = np.concatenate([points[1:] for points in outlines])
+        starts, ends, _ = _edges(kept)
         points = evenly(one.outline, STEP) if len(one.points) > 1 else one.points
         away, edge, _ = nearest_edges(points, starts, ends)
         if len(points) == 1:
@@ -310,12 +301,11 @@ def _joined(stretches: Sequence[Stretch], region: Region) -> list[Stretch]:
         if not one.closed and len(one.points) > 1 and one.ends[side] is None
     ]
     joints: list[tuple[float, int, int, list[complex]]] = []
-    places, ways = (np.array([end[k] for end in ends]) for k in (2, 3))
+    places = np.array([end.place for end in ends])
     reach = REACH * max(one.width for one in stretches)
     for i, a in enumerate(ends):
-        is_near = np.abs(places[i + 1 :] - a.place) <= reach
-        is_near &= (ways[i + 1 :] * a.direction.conjugate()).real < LEAST_FACING
-        for j in (np.flatnonzero(is_near) + i + 1).tolist():
+        near = np.flatnonzero(np.abs(places[i + 1 :] - a.place) <= reach) + i + 1
+        for j in near.tolist():
             joint = _joint(a, ends[j], stretches, region)
             if joint is not None:
                 joints.append((joint[0], i, j, joint[1]))
@@ -333,7 +323,7 @@ def _joint(
     p, q = stretches[a.stretch], stretches[b.stretch]
     width, gap = max(p.width, q.width), abs(b.place - a.place)
     turn = abs(float(np.angle(-b.direction / a.direction)))
-    if min(p.width, q.width) < 0.8 * width or gap > REACH * width or turn > SHARPEST:
+    if min(p.width, q.width) < 0.8 * width or gap > REACH * width or turn > np.radians(155.0):
         return None
     if p is q and gap > 1.2 * width and length(p.points) < 3.0 * gap:
         return None

@@ -163,13 +163,10 @@ def stroke_edges(lines: Sequence[Recovered]) -> tuple[ComplexArray, ComplexArray
 
 def _polygons(line: Recovered) -> list[ComplexArray]:
     """Return the polygons of a line's edges, (n, 4), of mitred or slight corners, (n, 4), and discs, (n, 24)."""
-    points = np.append(line.points, line.points[0]) if line.closed else line.points
+    points, ways, before, after = _course(line)
     reach = line.width / 2.0
-    points = points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
-    ways = np.diff(points) / np.abs(np.diff(points))
     p, q, aside = points[:-1], points[1:], 1j * ways * reach
     edges = np.stack([p + aside, p - aside, q - aside, q + aside], axis=1)
-    before, after = (np.roll(ways, 1), ways) if line.closed else (ways[:-1], ways[1:])
     places = p if line.closed else points[1:-1]
     turns = np.angle(after * before.conj())
     is_round = np.abs(turns) > (SLIGHT if line.join == "round" else SHARPEST)
@@ -182,6 +179,16 @@ def _polygons(line: Recovered) -> list[ComplexArray]:
     if not line.closed and line.cap == "round":
         centres = np.append(centres, points[[0, -1]])
     return [edges, corners, centres[:, None] + reach * DISC]
+
+
+def _course(
+    line: Recovered | Stretch,
+) -> tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]:
+    """Return the points of a line, each once, the directions of its edges, and those before and after its joins."""
+    points = np.append(line.points, line.points[0]) if line.closed else line.points
+    points = points[np.append(True, np.abs(np.diff(points)) > 1e-9)]
+    ways = np.diff(points) / np.abs(np.diff(points))
+    return (points, ways, np.roll(ways, 1), ways) if line.closed else (points, ways, ways[:-1], ways[1:])
 
 
 def rests_of(contours: Sequence[ComplexArray], lines: Sequence[Recovered]) -> list[ComplexArray]:
@@ -279,10 +286,8 @@ def checked(
 
 def _has_corners(line: Stretch) -> bool:
     """Return whether the joins of a line are to be seen."""
-    points = np.append(line.points, line.points[:2]) if line.closed else line.points
-    ways = np.diff(points)
-    ways = ways[np.abs(ways) > 1e-9]
-    turns = np.abs(np.angle(ways[1:] * ways[:-1].conj()))
+    _, _, before, after = _course(line)
+    turns = np.abs(np.angle(after * before.conj()))
     return bool(((turns > SLIGHT) & (turns <= SHARPEST)).any())
 
 
