@@ -10,7 +10,7 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
-from shapeblend_cli.geometry.polyline import may_be_near, needed
+from shapeblend_cli.geometry.polyline import are_near, needed
 from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.riders import riders
@@ -183,7 +183,7 @@ def _cap(points: ComplexArray, reach: float, cap: str) -> ComplexArray:
 
 def _clean(ring: ComplexArray, points: ComplexArray, reach: float) -> ComplexArray:
     """Return an outline without the points that lie inside the stroke, but with the corners where its sides meet."""
-    outside = ~may_be_near(ring, points, reach * (1.0 - INSIDE))
+    outside = ~are_near(ring, points, reach * (1.0 - INSIDE))
     if outside.sum() < 3:
         return ring[:0]
     first = int(np.argmax(~outside)) if not outside.all() else 0

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
-from shapeblend_cli.geometry.polyline import cumulative_lengths, may_be_near, points_at
+from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, points_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.choose import candidate_of
 from shapeblend_cli.motion.rigid import Whole
@@ -142,7 +142,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     centres = boxes[0].centre, boxes[1].centre
 
     def near(points: ComplexArray, lines: Sequence[ComplexArray]) -> BoolArray:
-        return np.any([may_be_near(points, line, NEAR * size) for line in lines], axis=0)
+        return np.any([are_near(points, line, NEAR * size) for line in lines], axis=0)
 
     def differ(turned: bool) -> bool:
         sides = [(boxes[0].width, boxes[0].height), (boxes[1].width, boxes[1].height)]

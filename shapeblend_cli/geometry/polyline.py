@@ -24,19 +24,21 @@ if TYPE_CHECKING:
 
 COMPILED = cython.compiled
 
+INFINITY = cython.declare(cython.double, float("inf"))
+
 cython.declare(REACH=cython.Py_ssize_t)
 REACH = 3
 """Number of edges to either side of a place that are near it."""
 
-cython.declare(BLOCK=cython.Py_ssize_t)
+cython.declare(BLOCK=cython.Py_ssize_t, LEAST_SQUARE=cython.double)
 BLOCK = 16
 """Number of edges, one after the other, that are passed over together where their box is not near."""
 
+LEAST_SQUARE = 1e-300
+"""Minimum squared length of an edge: of one without a length, every place is its start."""
+
 AT_ONCE = 1 << 20
 """Maximum number of distances computed at once: arrays of sixteen times as many bytes."""
-
-ROUNDING = 1e-9
-"""Share of a distance by which points are taken to be nearer than they are."""
 
 
 def from_end_to_end(vertices: ComplexArray, closed: bool) -> ComplexArray:
@@ -142,15 +144,9 @@ def nearest_edges(
         The place on the edge that is nearest, from 0 at its start to 1 at its end.
     """
     distance, edge, share = np.empty(len(points)), np.empty(len(points), np.intp), np.empty(len(points))
-    ways = ends - starts
-    slopes = 1.0 / np.maximum(ways.real**2 + ways.imag**2, 1e-300)
-    blocks = np.arange(0, len(starts), BLOCK)
-    low = np.minimum.reduceat(np.minimum(starts.real, ends.real), blocks)
-    high = np.maximum.reduceat(np.maximum(starts.real, ends.real), blocks)
-    below = np.minimum.reduceat(np.minimum(starts.imag, ends.imag), blocks)
-    above = np.maximum.reduceat(np.maximum(starts.imag, ends.imag), blocks)
-    whole = [np.ascontiguousarray(each) for each in (points, starts, ways)]
-    _find_nearest(*whole, slopes, np.stack([low, high, below, above]), distance, edge, share)
+    boxes, slopes = np.empty((-(-len(starts) // BLOCK), 4)), np.empty(len(starts))
+    whole = [np.ascontiguousarray(each) for each in (points, starts, ends - starts)]
+    _find_nearest(*whole, boxes, slopes, distance, edge, share)
     return distance, edge, share
 
 
@@ -161,45 +157,59 @@ def _find_nearest(
     points: cython.const[cython.doublecomplex][::1],
     starts: cython.const[cython.doublecomplex][::1],
     ways: cython.const[cython.doublecomplex][::1],
-    slopes: cython.const[cython.double][::1],
-    boxes: cython.const[cython.double][:, ::1],
+    boxes: cython.double[:, ::1],
+    slopes: cython.double[::1],
     distance: cython.double[::1],
     edge: cython.Py_ssize_t[::1],
     share: cython.double[::1],
 ) -> None:
-    """Find the nearest edge to each point: in the block of the last one first, then in those whose boxes are near."""
+    """Find the nearest edge to each point: in the block of the last one first, then in those whose boxes are near.
+
+    The boxes around blocks, and the reciprocals of squared lengths, are filled in.
+    """
     nearest: cython.Py_ssize_t = 0
     p: cython.Py_ssize_t
     b: cython.Py_ssize_t
     k: cython.Py_ssize_t
+    for b in range(boxes.shape[0]):
+        boxes[b, 0] = boxes[b, 2] = INFINITY
+        boxes[b, 1] = boxes[b, 3] = -INFINITY
+    for k in range(starts.shape[0]):
+        x: cython.double = starts[k].real
+        y: cython.double = starts[k].imag
+        dx: cython.double = ways[k].real
+        dy: cython.double = ways[k].imag
+        b = k // BLOCK
+        boxes[b, 0] = min(boxes[b, 0], min(x, x + dx))
+        boxes[b, 1] = max(boxes[b, 1], max(x, x + dx))
+        boxes[b, 2] = min(boxes[b, 2], min(y, y + dy))
+        boxes[b, 3] = max(boxes[b, 3], max(y, y + dy))
+        slopes[k] = 1.0 / max(dx * dx + dy * dy, LEAST_SQUARE)
     for p in range(points.shape[0]):
         px: cython.double = points[p].real
         py: cython.double = points[p].imag
-        least: cython.double = -1.0
+        least: cython.double = INFINITY
         place: cython.double = 0.0
         last: cython.Py_ssize_t = nearest // BLOCK
-        for b in range(-1, boxes.shape[1]):
+        for b in range(-1, boxes.shape[0]):
             block: cython.Py_ssize_t = last if b < 0 else b
             if b == last:
                 continue
-            if b >= 0:
-                gap: cython.double = max(boxes[0, b] - px, px - boxes[1, b])
-                if gap > 0.0 and gap * gap > least:
-                    continue
-                gap = max(boxes[2, b] - py, py - boxes[3, b])
-                if gap > 0.0 and gap * gap > least:
-                    continue
+            aside: cython.double = max(boxes[block, 0] - px, px - boxes[block, 1])
+            above: cython.double = max(boxes[block, 2] - py, py - boxes[block, 3])
+            if (aside > 0.0 and aside * aside > least) or (above > 0.0 and above * above > least):
+                continue
             for k in range(block * BLOCK, min(starts.shape[0], (block + 1) * BLOCK)):
-                x: cython.double = px - starts[k].real
-                y: cython.double = py - starts[k].imag
-                dx: cython.double = ways[k].real
-                dy: cython.double = ways[k].imag
+                x = px - starts[k].real
+                y = py - starts[k].imag
+                dx = ways[k].real
+                dy = ways[k].imag
                 at: cython.double = (x * dx + y * dy) * slopes[k]
                 at = 0.0 if at < 0.0 else (1.0 if at > 1.0 else at)
                 x -= at * dx
                 y -= at * dy
                 away: cython.double = x * x + y * y
-                if least < 0.0 or away < least or (away == least and k < nearest):
+                if away < least or (away == least and k < nearest):
                     least, nearest, place = away, k, at
         distance[p] = sqrt(least)
         edge[p] = nearest
@@ -245,46 +255,9 @@ def nearest_numbers(values: FloatArray, wanted: FloatArray) -> IntArray:
     return np.where((away < 0.0) | ((away == 0.0) & (below < above)), below, above)
 
 
-def may_be_near(points: ComplexArray, line: ComplexArray, distance: float) -> BoolArray:
-    """Return which points may be within a distance of a polyline: no others are, by `nearest_places`.
-
-    This takes a small part of the time.
-    """
-    found = np.zeros(len(points), np.uint8)
-    limit = (1.0 + ROUNDING) * distance
-    _find_near(np.ascontiguousarray(points), np.ascontiguousarray(line), limit * limit, found)
-    return found.view(np.bool_)
-
-
-@cython.boundscheck(False)
-@cython.wraparound(False)
-@cython.cdivision(True)
-def _find_near(
-    points: cython.const[cython.doublecomplex][::1],
-    line: cython.const[cython.doublecomplex][::1],
-    limit: cython.double,
-    found: cython.uchar[::1],
-) -> None:
-    """Mark the points whose squared distance from a polyline is within a limit."""
-    p: cython.Py_ssize_t
-    k: cython.Py_ssize_t
-    for p in range(points.shape[0]):
-        for k in range(line.shape[0] - 1):
-            x: cython.double = points[p].real - line[k].real
-            y: cython.double = points[p].imag - line[k].imag
-            dx: cython.double = line[k + 1].real - line[k].real
-            dy: cython.double = line[k + 1].imag - line[k].imag
-            square: cython.double = dx * dx + dy * dy
-            at: cython.double = x * dx + y * dy
-            if at >= square:
-                x -= dx
-                y -= dy
-            elif at > 0.0:
-                x -= at / square * dx
-                y -= at / square * dy
-            if x * x + y * y <= limit:
-                found[p] = 1
-                break
+def are_near(points: ComplexArray, line: ComplexArray, distance: float) -> BoolArray:
+    """Return which points are within a distance of a polyline."""
+    return nearest_places(points, line)[0] <= distance
 
 
 @cython.boundscheck(False)

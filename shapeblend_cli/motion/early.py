@@ -10,7 +10,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
-from shapeblend_cli.geometry.polyline import may_be_near, nearest_places
+from shapeblend_cli.geometry.polyline import are_near, nearest_places
 from shapeblend_cli.interpolate.paths import paths_at
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
                 alone.append((shape, contour, outlines))
 
     def touches(outline: ComplexArray, t: int) -> bool:
-        return any(may_be_near(outline, other[t], TOUCHING * side).any() for other in moving)
+        return any(are_near(outline, other[t], TOUCHING * side).any() for other in moving)
 
     def is_met(contour: ContourBlend, outlines: list[ComplexArray]) -> bool:
         own = len(WATCHED) - 1 if contour.grows else 0

@@ -15,7 +15,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polyline import cumulative_lengths, may_be_near, nearest_numbers, nearest_places
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_numbers, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
 from shapeblend_cli.wires.contour_blends import follow
 
@@ -82,13 +82,11 @@ def _track(stroke: PlacedContour, line: ComplexArray) -> _Track | None:
     """Return the places of a stroke on a closed edge; None if it does not run along the edge in one direction."""
     points = stroke.polygon.line
     reach = ON_EDGE * stroke.style.stroke_width
-    if may_be_near(points, line, reach).sum() < 2:
-        return None
-    lengths = cumulative_lengths(line)
     distance, place = nearest_places(points, line)
     near = distance <= reach
     if near.sum() < 2:
         return None
+    lengths = cumulative_lengths(line)
     total = float(lengths[-1])
     along = np.interp(place, np.arange(len(lengths)), lengths)[near]
     steps = (np.diff(along) + 0.5 * total) % total - 0.5 * total

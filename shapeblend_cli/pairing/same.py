@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polyline import may_be_near, nearest_places, thin
+from shapeblend_cli.geometry.polyline import are_near, thin
 from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.paint_order import paint_order, visible_overlaps
 
@@ -28,9 +28,6 @@ OWN_TOLERANCE = 1e-2
 
 LOOKED_AT_FIRST = (32, 1024)
 """Maximum numbers of points of a contour that are looked at before all: most contours differ in one of these."""
-
-MEASURED = 4096
-"""Maximum number of points whose distances are measured: of more it is only told whether they are small enough."""
 
 
 def same_pairs(
@@ -150,11 +147,8 @@ def are_same(p: PlacedContour, q: PlacedContour, distance: float) -> bool:
     if np.array_equal(p.polygon.vertices, q.polygon.vertices):
         return True
     lines = p.polygon.line, q.polygon.line
-    many = max(map(len, lines))
-    for most in (*LOOKED_AT_FIRST, many):
-        some = ((thin(points, most), line) for points, line in (lines, lines[::-1]))
-        if not all(may_be_near(points, line, distance).all() for points, line in some):
-            return False
-    if many > MEASURED:
-        return True
-    return all(nearest_places(points, line)[0].max() <= distance for points, line in (lines, lines[::-1]))
+    return all(
+        are_near(thin(points, most), line, distance).all()
+        for most in (*LOOKED_AT_FIRST, max(map(len, lines)))
+        for points, line in (lines, lines[::-1])
+    )

@@ -13,7 +13,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.cutting import left_of, run_of_segments, with_vertices
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
-from shapeblend_cli.geometry.polyline import may_be_near, nearest_places, thin
+from shapeblend_cli.geometry.polyline import are_near, nearest_places, thin
 from shapeblend_cli.model import Box, Contour, Polygon
 from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.growth import WATCHED
@@ -261,7 +261,7 @@ def _bitten(parts: Sequence[PlacedContour], whole: PlacedContour) -> PlacedConto
     It has much of the whole's outline, and no other part has more than a little.
     """
     distance = SAME_OUTLINE * whole.box.larger_side
-    kept = [float(may_be_near(whole.polygon.vertices, part.polygon.line, distance).mean()) for part in parts]
+    kept = [float(are_near(whole.polygon.vertices, part.polygon.line, distance).mean()) for part in parts]
     order = np.argsort(kept)
     if len(parts) < 2 or kept[order[-1]] < MOST_KEPT or kept[order[-2]] > LEAST_KEPT:
         return None
@@ -278,7 +278,7 @@ def _has_moved(part: PlacedContour, whole: PlacedContour) -> bool:
     if part.area < LEAST_OF_MOVED * whole.area:
         return False
     there = whole.centre + (part.polygon.vertices - part.centre) * (whole.size / part.size)
-    near = may_be_near(there, whole.polygon.line, MOVED_OUTLINE * whole.box.larger_side)
+    near = are_near(there, whole.polygon.line, MOVED_OUTLINE * whole.box.larger_side)
     return bool(near.mean() > MOST_NEAR)
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import may_be_near, thin
+from shapeblend_cli.geometry.polyline import are_near, thin
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
@@ -179,9 +179,7 @@ def _near_any(points: ComplexArray, outlines: Outlines, distance: float) -> Bool
     for outline in outlines:
         # Others than those near its box are further away, and computing how far is most of the work in a crowd.
         asked = np.flatnonzero(~near & outline.polygon.box.expanded(2.0 * distance).holds(points))
-        asked = asked[may_be_near(points[asked], outline.polygon.line, distance)]
-        if len(asked):
-            near[asked] = outline.lengths_near(points[asked])[0] <= distance
+        near[asked] = are_near(points[asked], outline.polygon.line, distance)
     return near
 
 
@@ -202,11 +200,6 @@ def _shared(
 ) -> list[Stretch]:
     """Return the stretches that two outlines share in the same direction."""
     p, q = outlines
-    near = [
-        may_be_near(one.polygon.vertices, other.polygon.line, distance) for one, other in ((p, q), (q, p))
-    ]
-    if near[0].sum() + near[1].sum() < 2:
-        return []
     own_p, own_q = (flat.lengths[: len(flat.polygon.vertices)] for flat in outlines)
     away_p, on_q = q.lengths_near(p.polygon.vertices)
     away_q, on_p = p.lengths_near(q.polygon.vertices)
