@@ -87,19 +87,32 @@ def search(tmp_path_factory):
 
         def hits(words):
             # The page listens to keys when its scripts have run.
-            deadline = time.monotonic() + 30.0
+            deadline = time.monotonic() + 60.0
             while time.monotonic() < deadline:
                 page.keyboard.press("/")
                 page.keyboard.press("Control+a")
                 page.keyboard.press("Delete")
                 page.keyboard.type(words)
-                page.wait_for_timeout(600)
-                if found := page.evaluate(FOUND):
+                if found := settled(page):
                     return [re.sub(r"\?[^#]*", "", place.removeprefix(address)) for place in found]
             return []
 
         yield hits
         server.shutdown()
+
+
+def settled(page):
+    """Return the hits when they have been the same for a second.
+
+    The search begins with the first letter, and a busy machine shows the hits of half a word for a while.
+    """
+    found = page.evaluate(FOUND)
+    same = 0
+    while same < 5:
+        page.wait_for_timeout(200)
+        before, found = found, page.evaluate(FOUND)
+        same = same + 1 if found == before else 0
+    return found
 
 
 class Quiet(SimpleHTTPRequestHandler):
