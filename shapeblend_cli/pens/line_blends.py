@@ -24,6 +24,7 @@ from shapeblend_cli.pens.moves import (
     is_slash,
     slash_among,
     staying,
+    thinned,
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
@@ -260,10 +261,10 @@ def line_moves(
         moves += [alone(line, carriers, is_new=bool(side)) for line in left]
     if slash is not None and crossing is not None:
         moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
-    if settings.stiff:
-        moves = [
-            _by_wires(own, [], settings, scale, BECOMES) if (own := _whole(move)) else move for move in moves
-        ]
+    moves = [
+        move if (own := _wires(move, settings)) is None else _by_wires(own, [], settings, scale, BECOMES)
+        for move in moves
+    ]
     return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
 
 
@@ -273,11 +274,22 @@ def _shifted(move: Move, shift: complex) -> Move:
     return move._replace(b=b, motion=move.motion._replace(shift=shift))
 
 
-def _whole(move: Move) -> tuple[PenLine, PenLine] | None:
-    """Return the lines of which one becomes the other, unless one is a piece."""
+def _wires(move: Move, settings: Settings) -> tuple[PenLine, PenLine] | None:
+    """Return the lines of which one becomes the other as wires do: rings, and all if places are stiff.
+
+    Neither is a piece. Rings of one shape need no solver.
+    """
     if move.a is None or move.b is None or move.reason != BECOMES or move.a.is_piece or move.b.is_piece:
         return None
+    if not settings.stiff and not (move.a.closed and move.b.closed and _changes_shape(move.motion)):
+        return None
     return move.a, move.b
+
+
+def _changes_shape(motion: Pen) -> bool:
+    """Return whether the points of a line move differently."""
+    ways = motion.points(1.0) - motion.points(0.0)
+    return bool(np.abs(ways - ways[0]).max() >= EXACT)
 
 
 def _by_wires(
@@ -287,6 +299,8 @@ def _by_wires(
     p, q = lines
     closed = p.closed and q.closed
     points = along_wires(p, q, pins, settings, scale)
+    if reason == BECOMES:
+        points = thinned(*points)
     return Move(p, q, Pen((between(*points, closed=closed),), closed=closed), reason)
 
 

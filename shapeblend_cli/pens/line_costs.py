@@ -63,6 +63,18 @@ LONG = 100.0
 LEFTOVER_COST = 1.2
 """Cost of a piece of a cut line without a partner, as a share of its length and width: pieces that float look torn."""
 
+FACING = 512
+"""Number of points of a closed line among which the side that faces a cut is found."""
+
+LEVEL = 0.02
+"""Tolerance of the side that faces a cut, as a share of the size of the line."""
+
+STRAIGHT_SIDE = 0.12
+"""Minimum share of the length of a closed line that is a straight side."""
+
+ROUNDING = 0.06
+"""Tolerance of a straight side with half of the rounding at its corners, as a share of the size of the line."""
+
 MOST_CORNERS = 8
 """Maximum number of corners of a closed line that may be cut at two of them."""
 
@@ -222,13 +234,16 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
         cost, one, other = partner_cost(line._replace(points=piece, closed=False), target)
         return Half(cost, piece, one, other)
     whole, chord = target.length, abs(piece[-1] - piece[0])
-    share = min(max(chord / (length(piece) + chord), 0.1), 0.5)
     way = (piece[0] + piece[-1]) / 2.0 - evenly(piece, PRESSED_STEP).mean()
     ring = target.part(0.0, 0.0)
     # Of a straight side that faces the cut, the middle.
-    facing = np.linspace(0.0, whole, 65)[:-1]
+    facing = np.linspace(0.0, whole, FACING + 1)[:-1]
     reach = ((at(ring, facing) - _centre(target)) * way.conjugate()).real
-    far = facing[reach > reach.max() - 0.02 * np.ptp(reach)]
+    far = facing[reach > reach.max() - LEVEL * np.ptp(reach)]
+    if len(far) >= STRAIGHT_SIDE * FACING:  # it is drawn on from its corners, half of their rounding with it
+        share = float((reach > reach.max() - ROUNDING * np.ptp(reach)).mean())
+    else:
+        share = min(max(chord / (length(piece) + chord), 0.1), 0.5)
     middle = float(np.angle(np.exp(2j * np.pi * far / whole).mean()) / (2.0 * np.pi) * whole) % whole
     low, high = (middle - share * whole / 2.0) % whole, (middle + share * whole / 2.0) % whole
     rest = target.part(high, low)

@@ -289,6 +289,11 @@ def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple
         squares = np.abs(p - q) ** 2
         tries.append((float((steps * (squares[1:] + squares[:-1])).sum()), p, q))
     _, p, q = min(tries, key=lambda each: each[0])
+    return thinned(p, q)
+
+
+def thinned(p: ComplexArray, q: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
+    """Return two polylines that correspond without the vertices that neither needs, nor what is half way."""
     keep = needed(p, EXACT) | needed(q, EXACT) | needed((p + q) / 2.0, SMOOTH)
     return p[keep], q[keep]
 

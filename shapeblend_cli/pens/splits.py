@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Drawing, Pen, between
+from shapeblend_cli.pens.line import corners
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost
 from shapeblend_cli.pens.moves import Move, alike, becoming, smooth
 
@@ -109,7 +110,8 @@ def splitting(line: PenLine, targets: Sequence[PenLine], *, joins: bool) -> list
             ends = (half.target, half.ends) if joins else (half.ends, half.target)
             moves.append(becoming(*pair, *ends)._replace(reason=COPY))
             continue
-        ends = alike(half.ends, half.target, by_corners=False)  # both sides alike
+        by_corners = len(corners(half.ends)) == len(corners(half.target))
+        ends = alike(half.ends, half.target, by_corners=by_corners)  # else both sides alike
         before, after = (target, line) if joins else (line, target)
         shares = (1.0, 0.0) if joins else (0.0, 1.0)
         first, last = (Drawing(smooth(tail), *shares) for tail in half.tails)
