@@ -26,7 +26,7 @@ from shapeblend_cli.pens.region import Region, Stretch, checked, distance_ahead
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
     from shapeblend_cli.pens.region import Recovered
 
 STEP = 0.1
@@ -47,11 +47,17 @@ WINDOW = 0.06
 LEAST_INK = 2.4
 """Minimum length of outline that a pen leaves, in widths: 1.2 on either side."""
 
+LEAST_FREE = 0.3
+"""Minimum share of the outline that a pen leaves outside of its corners."""
+
 NEAR_WIDTH = 0.045
 """Tolerance of a ball's diameter for the pen's width, as a share of it."""
 
 APART = 0.054
 """Minimum difference of the widths of two pens, as a share of the wider: a handle is hardly wider than its ring."""
+
+CORNER = np.radians(45.0)
+"""Minimum turn of an outline at a corner that sticks out, in radians: balls in it have no pen's width."""
 
 LEAST_SHARE = 0.6
 """Minimum share of an outline whose balls have the width of a pen."""
@@ -88,12 +94,16 @@ ROUND_POINTS = 9
 
 
 class _Samples(NamedTuple):
-    """Points of outlines, (n,) each: where, unit normals into the region, contours, and lengths around them."""
+    """Points of outlines, (n,) each: where, unit normals into the region, contours, and lengths around them.
+
+    `in_corner` is the diameter of a ball that touches the outline there and beyond the corner next to it.
+    """
 
     points: ComplexArray
     normals: ComplexArray
     contour: IntArray
     spacing: FloatArray
+    in_corner: FloatArray
 
 
 def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[ComplexArray]] | None:
@@ -109,12 +119,16 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
         return None
     samples = _sampled(contours)
     diameters = ball_diameters(samples.points, samples.normals, 1.5 * WIDEST)
-    widths = _pen_widths(diameters, samples.spacing)
+    in_corner = np.abs(diameters - samples.in_corner) < NEAR_WIDTH * diameters + 0.01
+    widths = _pen_widths(diameters, samples.spacing, ~in_corner)
     if not len(widths):
         return None
     nearest = np.abs(diameters[:, None] - widths).argmin(axis=1)
     is_pen = np.abs(diameters - widths[nearest]) < NEAR_WIDTH * widths[nearest] + 0.01
-    if samples.spacing[is_pen].sum() < LEAST_SHARE * samples.spacing.sum():
+    is_beside = is_pen | ~(
+        in_corner & (diameters < widths.max())
+    )  # the corners at cut ends are all within a width
+    if samples.spacing[is_pen].sum() < LEAST_SHARE * samples.spacing[is_beside].sum():
         return None
     pen = np.where(is_pen, nearest, -1)
     region = Region(contours)
@@ -146,24 +160,45 @@ def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
         speed = np.abs(velocity)
         normals = 1j * velocity / np.where(speed > 0.0, speed, 1.0)
         spacing = speed / np.repeat(counts, counts)
-        parts.append((cubics.evaluate(segments[segment], t), normals, np.full(len(t), number), spacing))
+        from_ends = spacing * (within + 0.5), spacing * (np.repeat(counts, counts) - within - 0.5)
+        corner = _corner_balls(segments[used])
+        in_corner = np.minimum(
+            *(np.repeat(at, counts) * away for at, away in zip(corner, from_ends, strict=True))
+        )
+        parts.append(
+            (cubics.evaluate(segments[segment], t), normals, np.full(len(t), number), spacing, in_corner)
+        )
     return _Samples(*(np.concatenate(each) for each in zip(*parts, strict=True)))
 
 
-def _pen_widths(diameters: FloatArray, spacing: FloatArray) -> FloatArray:
-    """Return the diameters that most of the outline has, in widths, one after the other."""
+def _corner_balls(segments: ComplexArray) -> tuple[FloatArray, FloatArray]:
+    """Return how fast balls that touch both sides of a corner grow, at the start and the end of each segment.
+
+    That is their diameter per distance from the corner, infinite where there is none.
+    """
+    starts, ends = cubics.directions(segments)
+    turn = np.angle(starts * rolled(ends, 1).conj())
+    is_corner = turn > CORNER
+    growth = np.where(is_corner, 2.0 / np.tan(np.where(is_corner, turn, 1.0) / 2.0), np.inf)
+    return growth, rolled(growth, -1)
+
+
+def _pen_widths(diameters: FloatArray, spacing: FloatArray, is_free: BoolArray) -> FloatArray:
+    """Return the diameters that most of the outline has, in widths, one after the other; none is that of corners."""
     found: list[float] = []
     left = diameters < WIDEST
     while left.any() and len(found) < MOST_WIDTHS:
         order = np.argsort(diameters[left], kind="stable")
         rising, ink = diameters[left][order], np.concatenate([[0.0], np.cumsum(spacing[left][order])])
+        free = np.concatenate([[0.0], np.cumsum((spacing * is_free)[left][order])])
         beyond = np.searchsorted(rising, rising * (1.0 + WINDOW) + 0.02)
         inside = ink[beyond] - ink[:-1]
-        k = int(np.argmax(inside / np.maximum(rising, 0.05)))
+        is_pen = free[beyond] - free[:-1] >= LEAST_FREE * inside
+        k = int(np.argmax(np.where(is_pen, inside / np.maximum(rising, 0.05), 0.0)))
         width = float(
             rising[(k + beyond[k]) // 2]
         )  # the median, without the modules that numpy loads for its own
-        if inside[k] < LEAST_INK * width or width < 0.05:
+        if not is_pen[k] or inside[k] < LEAST_INK * width or width < 0.05:
             break
         found.append(width)
         left &= np.abs(diameters - width) > APART * width + 0.012

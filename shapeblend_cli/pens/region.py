@@ -140,7 +140,8 @@ def distance_ahead(
     with np.errstate(divide="ignore", invalid="ignore"):
         ahead = (offsets * edges).imag / slant
         share = (offsets * direction).imag / slant
-        hits = (np.abs(slant) > 1e-12) & (ahead > 0.0) & (share >= 0.0) & (share <= 1.0)
+        # With room for rounding, or what goes through a vertex would miss both of its edges.
+        hits = (np.abs(slant) > 1e-12) & (ahead > 0.0) & (share > -1e-9) & (share < 1.0 + 1e-9)
     if not hits.any():
         return np.inf, -1
     k = int(np.where(hits, ahead, np.inf).argmin())

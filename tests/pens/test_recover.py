@@ -24,6 +24,11 @@ STROKES = {
         "M11 3H13V11H21V13H13V21H11V13H3V11H11Z",
         [(False, "butt", [12 + 3j, 12 + 21j]), (False, "butt", [3 + 12j, 21 + 12j])],
     ),
+    "short bar": ("M9 11H14V13H9Z", [(False, "butt", [9 + 12j, 14 + 12j])]),
+    "small saltire": (
+        "M14.586 8L12 10.586L9.414 8L8 9.414L10.586 12L8 14.586L9.414 16L12 13.414L14.586 16L16 14.586L13.414 12L16 9.414Z",
+        [(False, "butt", [8.7 + 8.7j, 15.3 + 15.3j]), (False, "butt", [15.3 + 8.7j, 8.7 + 15.3j])],
+    ),
     "tee": ("M3 5H21V7H13V21H11V7H3Z", [(False, "butt", [3 + 6j, 21 + 6j]), (False, "butt", [12 + 21j])]),
     "corner": ("M4 4H6V18H20V20H4Z", [(False, "butt", [5 + 4j, 5 + 19j, 20 + 19j])]),
     "ring": (
