@@ -258,7 +258,7 @@ def line_moves(
         paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
         carriers = [move.motion for move in moves if (move.a, move.b)[side] is not None]
         left = [line for k, line in enumerate(lines) if k not in paired]
-        moves += [alone(line, carriers, is_new=bool(side)) for line in left]
+        moves += [move for line in left for move in alone(line, carriers, is_new=bool(side))]
     if slash is not None and crossing is not None:
         moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
     moves = [

@@ -9,6 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.placement import to_unit_box
+from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, needed
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
@@ -23,6 +24,7 @@ from shapeblend_cli.model import (
     Polygon,
     ShapeBlend,
 )
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.motion.pen import Drawing, Exchange, Pen, Riding, Straight, between, pressed
 from shapeblend_cli.motion.trims import trim_of
 from shapeblend_cli.pens.line import (
@@ -77,6 +79,9 @@ SMOOTH = 0.04
 
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
+
+BOW = 0.7
+"""Maximum distance of the ends of a line that is a bow, as a share of its length."""
 
 LEAST_SLASH = 11.0
 """Minimum length of a slash, in units."""
@@ -318,13 +323,27 @@ def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
-    """Draw a line back to where it touches another one, which carries it along, or on from there."""
+def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, may_part: bool = True) -> list[Move]:
+    """Draw a line back to where it touches others, which carry it along, or on from there.
+
+    A bow that stands on others, as a door does or a handle, parts in its middle, if it may.
+    """
     points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
-    reason = DRAWN_ON if is_new else DRAWN_BACK
-    before, after = (None, line) if is_new else (line, None)
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
     outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
+    shares = (0.0, 1.0) if is_new else (1.0, 0.0)
+
+    def moving(motion: Moving, *, closed: bool = False, **options: bool) -> Move:
+        pen, reason = Pen((motion,), closed=closed), DRAWN_ON if is_new else DRAWN_BACK
+        return Move(None if is_new else line, line if is_new else None, pen, reason, **options)
+
+    if line.closed and _surrounds(line, [own for _, own in outlines]):
+        around = Drawing(smooth(_clockwise_from_top(line)), *shares)
+        return [moving(around, is_joined=False, is_early=True)]
+    if line.closed or line.length < SHORT * line.width:
+        point = np.full(len(points), Box.around(points).centre)
+        pair = (point, points) if is_new else (points, point)
+        return [moving(Straight(*pair), closed=line.closed, is_joined=False, is_early=True)]
 
     def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
         for carrier, own in outlines:
@@ -332,32 +351,50 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
                 return carrier, own
         return None
 
-    shares = (0.0, 1.0) if is_new else (1.0, 0.0)
-    places = [complex(points[0]), complex(at(points, [length(points) / 2.0])[0]), complex(points[-1])]
+    def from_foot(points: ComplexArray, foot: tuple[Pen, ComplexArray]) -> Move:
+        drawing = Drawing(points, *shares, span=_span(foot[0], is_new=is_new))
+        return _carried(moving(drawing), foot, complex(points[0]))
+
+    whole = length(points)
+    places = [complex(points[0]), complex(at(points, [whole / 2.0])[0]), complex(points[-1])]
     first, middle, last = (touched(place) for place in places)
-    if line.closed or line.length < SHORT * line.width:
-        point = np.full(len(points), Box.around(points).centre)
-        pair = (point, points) if is_new else (points, point)
-        return Move(before, after, Pen((Straight(*pair),), closed=line.closed), reason, False, is_early=True)
-    if last and not first:
-        points, first = points[::-1], last
-        places = places[::-1]
-
-    def span(carrier: Pen) -> tuple[float, float]:
-        """Leave a line before it is like what it becomes, and come to it when it is: no hooks on the other drawing."""
-        return (0.0, 1.0) if not _changes(carrier) else (EARLY, 1.0) if is_new else (0.0, 1.0 - EARLY)
-
+    if may_part and first and last and abs(points[-1] - points[0]) < BOW * whole:
+        halves = line.part(0.0, whole / 2.0), line.part(whole / 2.0, whole)[::-1]
+        return [from_foot(half, foot) for half, foot in zip(halves, (first, last), strict=True)]
     if first:
-        drawing = Drawing(points, *shares, span=span(first[0]))
-        return _carried(Move(before, after, Pen((drawing,)), reason), first, places[0])
+        return [from_foot(points, first)]
+    if last:
+        return [from_foot(points[::-1], last)]
     if middle or not corners(points):
-        drawing = Drawing(points, *shares, from_middle=True, span=span(middle[0]) if middle else (0.0, 1.0))
-        move = Move(before, after, Pen((drawing,)), reason, bool(middle), is_early=not middle)
-        return _carried(move, middle, places[1]) if middle else move
+        span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
+        drawing = Drawing(points, *shares, from_middle=True, span=span)
+        move = moving(drawing, is_joined=bool(middle), is_early=not middle)
+        return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
     is_early = any(map(_changes, carriers))
-    return Move(before, after, Pen((Drawing(points, *shares),)), reason, is_joined=False, is_early=is_early)
+    return [moving(Drawing(points, *shares), is_joined=False, is_early=is_early)]
+
+
+def _span(carrier: Pen, *, is_new: bool) -> tuple[float, float]:
+    """Return the time to leave a line, before it is like what it becomes, or to come to it, when it is.
+
+    There are no hooks on the other drawing then.
+    """
+    return (0.0, 1.0) if not _changes(carrier) else (EARLY, 1.0) if is_new else (0.0, 1.0 - EARLY)
+
+
+def _surrounds(line: PenLine, others: Sequence[ComplexArray]) -> bool:
+    """Return whether other lines lie inside a ring: it would shrink on to them."""
+    return any((winding_numbers(points, line.points) != 0).mean() > 0.5 for points in others)
+
+
+def _clockwise_from_top(line: PenLine) -> ComplexArray:
+    """Return the outline of a ring as a clock's hand goes, y downwards."""
+    highest = int(line.points.imag.argmin())
+    around = rolled(line.points, -highest)
+    around = np.append(around, around[0])
+    return around if signed_area(line.points) > 0.0 else around[::-1]
 
 
 def _changes(carrier: Pen) -> bool:

@@ -135,6 +135,43 @@ def test_a_ring_without_a_partner_comes_out_of_one_like_it():
     assert COPY in reasons(blend(strokes(one), strokes(both), strokes="recover"))
 
 
+def test_a_ring_around_what_stays_is_drawn_back():
+    cross, ring = "M8 8L16 16 M16 8L8 16", "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
+    pair = blend(strokes(f"{ring} {cross}"), strokes(cross))
+    (gone,) = [shape for shape in pair.shapes if shape.reason == DRAWN_BACK]
+    seen = paths_at(gone, 0.5)[0].segments[:, 0]
+    assert np.abs(np.abs(seen - (12 + 12j)) - 10).max() < 0.1
+    assert seen[0].imag < 2.1  # from its top
+
+
+def test_a_bow_without_a_partner_parts_in_its_middle():
+    body, bow = "M4 11H20V21H4Z", "M7 11V7A5 5 0 0 1 17 7V11"
+    pair = blend(strokes(f"{body} {bow}"), strokes(body))
+    halves = [shape for shape in pair.shapes if shape.reason == DRAWN_BACK]
+    ends = sorted((paths_at(half, 0.5)[0].segments[[0, -1], [0, 3]].tolist() for half in halves), key=str)
+    assert [end[0] for end in ends] == pytest.approx([17 + 11j, 7 + 11j])
+    assert [end[1].imag for end in ends] == pytest.approx([ends[0][1].imag] * 2, abs=0.1)
+
+
+def test_corners_of_a_ring_go_to_corners():
+    triangle, square = "M5 3L20 12L5 21Z", "M4 4H20V20H4Z"
+    (shape,) = blend(strokes(triangle), strokes(square)).shapes
+    starts, ends = (paths_at(shape, t)[0].segments[:, 0] for t in (0.0, 1.0))
+    for corner, partner in ((5 + 3j, 4 + 4j), (5 + 21j, 4 + 20j)):
+        assert abs(ends[np.abs(starts - corner).argmin()] - partner) < 0.1
+
+
+def test_halves_of_a_triangle_have_no_waist():
+    triangle, bars = "M5 3L20 12L5 21Z", "M4 3H10V21H4Z M14 3H20V21H14Z"
+    pair = blend(strokes(triangle), strokes(bars))
+    assert reasons(pair) == [COPY, COPY]
+    left = paths_at(min(pair.shapes, key=lambda shape: paths_at(shape, 1.0)[0].segments.real.mean()), 0.3)
+    points = left[0].segments[:, 0]
+    top, inner = points[points.imag < 12], points.real.max()
+    corner = top[top.real > inner - 0.3]
+    assert corner.imag.min() < 7.0
+
+
 def test_solid_shapes_and_strokes_with_fills_are_outlines():
     solid = drawing("M2 2H22V22H2Z"), drawing("M12 2L22 22H2Z")
     assert not {BECOMES, STAYS, DRAWN_BACK} & set(reasons(blend(*solid)))
