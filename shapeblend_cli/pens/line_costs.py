@@ -45,6 +45,12 @@ CRUMPLE_COST = 0.6
 CLOSING_COST = 0.25
 """Cost of opening or closing a line, as a share of its length."""
 
+PRESSED_BENT_COST = 0.4
+"""Cost of pressing a ring to a bent line, as a share of their length: both sides would be one thick line for long."""
+
+STRAIGHT = 0.9
+"""Minimum distance of the ends of a line that is not bent, as a share of its length."""
+
 STARTS = 24
 """Starts of a closed line that are compared."""
 
@@ -169,7 +175,9 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
         ring, line = (p, q) if p.closed else (q, p)
         steps = np.linspace(0, len(pressed[0]) - 1, WATCHED).round().astype(np.intp)
         work = mean * float(work_between(pressed[0][steps], pressed[1][steps]))
-        costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing)
+        is_bent = line.is_piece or abs(line.points[-1] - line.points[0]) < STRAIGHT * line.length
+        bending = PRESSED_BENT_COST * mean if is_bent else 0.0
+        costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing + bending)
     best = int(np.argmin(costs))
     return costs[best], *ways[best]
 
