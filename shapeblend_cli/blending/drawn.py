@@ -99,7 +99,7 @@ def _drawn(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
     if is_slash(line):
         move = crossing_out(line, [], is_new=is_new)[0]
     else:
-        (move,) = alone(line, carriers, is_new=is_new, may_part=False)
+        (move,) = alone(line, carriers, is_new=is_new)
     (piece,) = move.motion.pieces
     if isinstance(piece, Riding):
         return move

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges
 from shapeblend_cli.pens.line import PenLine, at, chains, foot_points, length
 
 if TYPE_CHECKING:
@@ -36,6 +36,9 @@ OFF = 0.03
 
 SLANTED = 0.5
 """Minimum share of a piece of a line that a solid shape fills: its ends may slant."""
+
+BOW = 0.7
+"""Maximum distance of the ends of a bow, as a share of its length."""
 
 REACH = 0.4
 """Length at the end of a line that gives its direction, in units."""
@@ -201,3 +204,18 @@ def _piece(body: PlacedContour, line: PenLine, scale: float) -> PenLine | None:
         shape=body.shape,
         name=str(body.number),
     )
+
+
+def with_bows(lines: Sequence[PenLine]) -> list[PenLine]:
+    """Tell which lines are bows: bent, with both ends on other lines."""
+    edges = [(line.outline[:-1], line.outline[1:]) for line in lines]
+    found = []
+    for k, line in enumerate(lines):
+        others = [each for j, each in enumerate(edges) if j != k and len(each[0])]
+        feet = line.points[[0, -1]]
+        if others and not line.closed and abs(feet[1] - feet[0]) < BOW * line.length:
+            starts, ends = (np.concatenate(each) for each in zip(*others, strict=True))
+            away, _, _ = nearest_edges(feet, starts, ends)
+            line = line._replace(is_bow=bool(away.max() < line.reach))
+        found.append(line)
+    return found

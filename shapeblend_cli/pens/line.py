@@ -57,6 +57,8 @@ class PenLine(NamedTuple):
         The number of its contour, and of several lines of a contour a number of its own: 3.1, 3.2.
     share : (float, float)
         Of a piece, where it begins and ends, as shares of the length of its line.
+    is_bow : bool
+        Whether it is bent and stands on other lines with both ends, as a door does, or a handle.
     """
 
     points: ComplexArray
@@ -68,6 +70,7 @@ class PenLine(NamedTuple):
     is_piece: bool = False
     name: str = ""
     share: tuple[float, float] = (0.0, 1.0)
+    is_bow: bool = False
 
     @property
     def outline(self) -> ComplexArray:
@@ -78,6 +81,11 @@ class PenLine(NamedTuple):
     def length(self) -> float:
         """Its length, in units."""
         return length(self.outline)
+
+    @property
+    def reach(self) -> float:
+        """Maximum distance of an end from a line that it touches, in units."""
+        return 0.6 * self.width + 0.2
 
     def style_beside(self, partner: PenLine) -> Style:
         """Return its style, with its partner's caps if it has no ends, and its joins if it has no corners."""

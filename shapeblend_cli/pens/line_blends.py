@@ -11,7 +11,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import WHOLE, Box
 from shapeblend_cli.motion.pen import Pen, Together, Whole, between
 from shapeblend_cli.pens.drawings import MOST_LINES
-from shapeblend_cli.pens.joints import with_pieces
+from shapeblend_cli.pens.joints import with_bows, with_pieces
 from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
 from shapeblend_cli.pens.moves import (
     BECOMES,
@@ -221,7 +221,7 @@ def line_moves(
     ]
     centres = _centre(a), _centre(b)
     a, b = (
-        [line for k, line in enumerate(lines) if all(k != pair[side] for pair in required.pairs)]
+        [line for k, line in enumerate(with_bows(lines)) if all(k != pair[side] for pair in required.pairs)]
         for side, lines in enumerate((a, b))
     )
     is_crossed = {sum(map(is_slash, lines)) for lines in (a, b)} == {0, 1}

@@ -42,6 +42,9 @@ CRUMPLES = 2.5
 CRUMPLE_COST = 0.6
 """Cost of the length that crumples, as a share of it."""
 
+TORN_OFF_COST = 1.2
+"""Cost of the same for a bow, as a share of the length: it is torn off what it stands on, too."""
+
 CLOSING_COST = 0.25
 """Cost of opening or closing a line, as a share of its length."""
 
@@ -162,7 +165,8 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     short, long = sorted((p.length, q.length))
     stretch = STRETCH_COST * (long - short)
     if short > p.width:
-        stretch += CRUMPLE_COST * max(0.0, long - CRUMPLES * short)
+        crumpling = TORN_OFF_COST if max(p, q, key=lambda line: line.length).is_bow else CRUMPLE_COST
+        stretch += crumpling * max(0.0, long - CRUMPLES * short)
     closing = CLOSING_COST * mean if p.closed != q.closed else 0.0
     if p.closed and not q.closed:
         works = work_between(_turned(p).points, _watched(q.outline))

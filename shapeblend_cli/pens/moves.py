@@ -80,9 +80,6 @@ SMOOTH = 0.04
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
-BOW = 0.7
-"""Maximum distance of the ends of a line that is a bow, as a share of its length."""
-
 LEAST_SLASH = 11.0
 """Minimum length of a slash, in units."""
 
@@ -323,10 +320,10 @@ def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, may_part: bool = True) -> list[Move]:
+def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> list[Move]:
     """Draw a line back to where it touches others, which carry it along, or on from there.
 
-    A bow that stands on others, as a door does or a handle, parts in its middle, if it may.
+    A bow that stands on others parts in its middle.
     """
     points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
@@ -347,7 +344,7 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, may_part: boo
 
     def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
         for carrier, own in outlines:
-            if foot_points(np.array([place]), own)[0][0] < 0.6 * line.width + 0.2:
+            if foot_points(np.array([place]), own)[0][0] < line.reach:
                 return carrier, own
         return None
 
@@ -358,7 +355,7 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, may_part: boo
     whole = length(points)
     places = [complex(points[0]), complex(at(points, [whole / 2.0])[0]), complex(points[-1])]
     first, middle, last = (touched(place) for place in places)
-    if may_part and first and last and abs(points[-1] - points[0]) < BOW * whole:
+    if line.is_bow and first and last:
         halves = line.part(0.0, whole / 2.0), line.part(whole / 2.0, whole)[::-1]
         return [from_foot(half, foot) for half, foot in zip(halves, (first, last), strict=True)]
     if first:

@@ -123,7 +123,8 @@ def _cut(lines: Sequence[PenLine]) -> list[PenLine]:
         ends = [0.0, *(place * line.length for place in places), line.length]
         for begin, end in pairwise(ends):
             share = begin / line.length, end / line.length
-            found.append(line._replace(points=line.part(begin, end), is_piece=True, share=share))
+            piece = line.part(begin, end)
+            found.append(line._replace(points=piece, is_piece=True, share=share, is_bow=False))
         if line.style.stroke_linecap == "butt" and line.style.stroke_linejoin == "miter":
             found[-len(ends) + 1 :] = _mitred(found[-len(ends) + 1 :])
     return found
