@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
-from shapeblend_cli.blending.inlays import plates_of, with_inlays, without_inlays
-from shapeblend_cli.blending.inverted import with_signs_inverted
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
+from shapeblend_cli.blending.plates.gaps import with_gaps_closed
+from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
+from shapeblend_cli.blending.plates.inverted import with_signs_inverted
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -93,7 +94,8 @@ def blend_shapes(
         return _moved(paired, *match_pairs(paired), view)
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
-    return with_signs_inverted(a, b, settings, view, shapes)
+    shapes = with_signs_inverted(a, b, settings, view, shapes)
+    return with_gaps_closed(a, b, settings, view, shapes)
 
 
 def _is_free(settings: Settings) -> bool:

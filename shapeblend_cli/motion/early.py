@@ -67,12 +67,22 @@ class Ride(NamedTuple):
         return complex(np.interp(self.place, np.arange(len(points)), points))
 
 
+class Edge(NamedTuple):
+    """The edge that closes a gap, in the segments of the contour that comes to lie on it."""
+
+    segments: ComplexArray
+
+    def at(self, t: float) -> ComplexArray:
+        """Return its control points, the same at any time t."""
+        return self.segments
+
+
 class Early(NamedTuple):
     """Another motion, or straight paths, in which parts without a partner are points for longer, or ride on lines."""
 
     motion: Motion | None
     small: Mapping[Numbers, float]  # the contours that are, each for this share of the time
-    rides: Mapping[Numbers, Ride] = MappingProxyType({})
+    rides: Mapping[Numbers, Ride | Edge] = MappingProxyType({})
 
     @property
     def name(self) -> str:

@@ -65,7 +65,7 @@ def with_signs_inverted(
 ) -> Shapes:
     """Return the blend in which a sign is inverted in place, unless there is none or the usual blend looks fine."""
     a, b = with_outlines(a, b, settings, view)
-    if not (_is_plain(a) and _is_plain(b)) or max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
+    if not (is_plain(a) and is_plain(b)) or max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
         return usual
     places = _in_place(a.contours, b.contours, NEAR * view.larger_side)
     if not places.is_inverted or grade_of_shapes(usual, view) <= FINE:
@@ -73,17 +73,17 @@ def with_signs_inverted(
     matched = [(p, q, match_contours(p, q, settings, Constraints())) for p, q in places.pairs]
     contours = [blend for _, _, blend in matched]
     for here, side in enumerate(places.alone):
-        contours += [_growing(each, matched, here) for each in side]
+        contours += [growing(each, matched, here) for each in side]
     if settings.curves:
         contours = [with_curves(blend) for blend in contours]
     style_a, style_b = (each.contours[0].style._replace(fill_rule="evenodd") for each in (a, b))
     sources = a.contours[0].shape, b.contours[0].shape
     shape = ShapeBlend(tuple(contours), style_a, style_b, reason=INVERTED, sources=sources)
-    same = _paints_alike(shape, 0.0, a, view) and _paints_alike(shape, 1.0, b, view)
+    same = paints_alike(shape, 0.0, a, view) and paints_alike(shape, 1.0, b, view)
     return (shape,) if same else usual
 
 
-def _is_plain(drawing: PlacedDrawing) -> bool:
+def is_plain(drawing: PlacedDrawing) -> bool:
     """Return whether a drawing has only fills of one plain colour, and no clips."""
     style = drawing.contours[0].style
     if style.fill is None or style.fill_gradient is not None or style.fill_opacity < 1.0:
@@ -121,7 +121,7 @@ def _apart(p: PlacedContour, q: PlacedContour, most: float) -> float | None:
     return apart if apart <= min(most, 0.2 * p.box.larger_side) else None
 
 
-def _growing(
+def growing(
     contour: PlacedContour, matched: Sequence[tuple[PlacedContour, PlacedContour, ContourBlend]], here: int
 ) -> ContourBlend:
     """Return the blend of a contour without a partner, from its middle or from a place within what is around it."""
@@ -138,7 +138,7 @@ def _growing(
     return grow_from_point(contour, middle, of_b=bool(here))
 
 
-def _paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
+def paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
     """Return whether a shape paints what a drawing does."""
     from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.grading.painting import picture  # few blends come so far

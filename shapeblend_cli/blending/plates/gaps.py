@@ -1,0 +1,129 @@
+"""Gaps that close: a ring around a disc becomes solid, as the lens of a solid magnifier that becomes a solid box.
+
+The hole comes to lie on its island evenly. By the even-odd rule both edges cancel each other then, and the holes of the
+other drawing open in what is solid.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
+from shapeblend_cli.blending.expanded import with_outlines
+from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.blending.plates.inverted import growing, is_plain, paints_alike
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.model import ShapeBlend
+from shapeblend_cli.motion.early import Early, Edge
+from shapeblend_cli.wires.constraints import Constraints
+from shapeblend_cli.wires.match import match_contours
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
+    from shapeblend_cli.model import Box, ContourBlend
+    from shapeblend_cli.options.settings import Settings
+
+    Shapes = tuple[ShapeBlend, ...]
+
+LEAST_FILLED = 0.3
+"""Minimum share of a hole that its island fills."""
+
+MOST_HOLES = 8
+"""Maximum number of holes of the drawing without a gap."""
+
+ALIKE = 0.6
+"""Minimum ratio of the areas of two holes in one place that are the same hole."""
+
+CLOSED_FOR = 0.6
+"""Time for which a gap is closed, as a share of all time."""
+
+OPENS = 0.3
+"""Time for which holes in what is solid are closed, as a share of all time."""
+
+CLOSED = "the gap around an island closes"
+
+
+class _Gap(NamedTuple):
+    """A shape with a hole, an island in it, and nothing else."""
+
+    exterior: PlacedContour
+    hole: PlacedContour
+    island: PlacedContour
+
+
+def with_gaps_closed(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes
+) -> Shapes:
+    """Return the blend in which the gap around an island closes or opens, if there is one and it looks better."""
+    a, b = with_outlines(a, b, settings, view)
+    if not (is_plain(a) and is_plain(b)):
+        return usual
+    for here, (own, other) in enumerate(((a, b), (b, a))):
+        gap, solid = _gap(own.contours), _solid(other.contours)
+        if gap is None or solid is None or not _holds(solid[0], gap.island):
+            continue
+        if any(_is_same(gap.hole, hole) for hole in solid[1:]) or grade_of_shapes(usual, view) <= FINE:
+            return usual
+        shape = _closing(gap, solid, settings, here)
+        same = paints_alike(shape, 0.0, a, view) and paints_alike(shape, 1.0, b, view)
+        return (shape,) if same else usual
+    return usual
+
+
+def _gap(contours: Sequence[PlacedContour]) -> _Gap | None:
+    """Return the gap of a drawing that is a shape with one and no more."""
+    holes = [contour for contour in contours if contour.role == HOLE]
+    solid = sorted((c for c in contours if c.role == EXTERIOR), key=lambda c: -c.area)
+    if len(contours) != 3 or len(holes) != 1:
+        return None
+    gap = _Gap(solid[0], holes[0], solid[1])
+    is_filled = gap.island.area >= LEAST_FILLED * gap.hole.area
+    return gap if is_filled and _holds(gap.exterior, gap.hole) and _holds(gap.hole, gap.island) else None
+
+
+def _solid(contours: Sequence[PlacedContour]) -> list[PlacedContour] | None:
+    """Return the one exterior of a drawing and its holes."""
+    first = [contour for contour in contours if contour.role == EXTERIOR]
+    holes = [contour for contour in contours if contour.role == HOLE]
+    return [*first, *holes] if len(first) == 1 and len(holes) <= MOST_HOLES else None
+
+
+def _holds(outer: PlacedContour, inner: PlacedContour) -> bool:
+    """Return whether a contour lies within another."""
+    return bool(winding_numbers(inner.polygon.vertices, outer.polygon.vertices).all())
+
+
+def _is_same(gap: PlacedContour, hole: PlacedContour) -> bool:
+    """Return whether two holes are one, of about the same area and mostly in the same place."""
+    areas = sorted((gap.area, hole.area))
+    inside = winding_numbers(hole.polygon.vertices, gap.polygon.vertices) != 0
+    return areas[0] >= ALIKE * areas[1] and float(inside.mean()) > 0.5
+
+
+def _closing(gap: _Gap, solid: Sequence[PlacedContour], settings: Settings, here: int) -> ShapeBlend:
+    """Return the blend of a drawing with a gap, A's if `here` is 0 and else B's, and one without."""
+    whole, *holes = solid
+
+    def matched(own: PlacedContour, other: PlacedContour) -> ContourBlend:
+        blend = match_contours(*((other, own) if here else (own, other)), settings, Constraints())
+        return with_curves(blend) if settings.curves else blend
+
+    outline = matched(gap.exterior, whole)
+    edges = [matched(edge, gap.island) for edge in (gap.hole, gap.island)]
+    edges = [edge._replace(a=None) if here else edge._replace(b=None) for edge in edges]
+    first, last = (whole, gap.exterior) if here else (gap.exterior, whole)
+    opening = [growing(hole, [(first, last, outline)], 1 - here) for hole in holes]
+    closed = Edge((edges[0].start if here else edges[0].end).segments)
+    motion = Early(
+        None,
+        {(edges[0].a, edges[0].b): CLOSED_FOR} | {(each.a, each.b): OPENS for each in opening},
+        {(edges[0].a, edges[0].b): closed},
+    )
+    style_a, style_b = (each.style._replace(fill_rule="evenodd") for each in (first, last))
+    sources = first.shape, last.shape
+    return ShapeBlend(
+        (outline, *edges, *opening), style_a, style_b, motion=motion, reason=CLOSED, sources=sources
+    )

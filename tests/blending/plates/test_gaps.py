@@ -1,0 +1,41 @@
+"""Gaps around islands that close."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.blending.plates.gaps import CLOSED
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.grading.painting import picture
+from shapeblend_cli.model import Box
+from tests.blending.plates.test_inverted import filled
+from tests.pens.test_line_blends import blend
+
+PLATE = "M1 1H23V23H1Z"
+HOLE, ISLAND = "M12 3A9 9 0 1 1 12 21A9 9 0 1 1 12 3Z", "M12 6A6 6 0 1 0 12 18A6 6 0 1 0 12 6Z"
+SIGN = "M11 7H13V11H17V13H13V17H11V13H7V11H11Z"
+RING, SOLID = filled(f"{PLATE} {HOLE} {ISLAND}"), filled(f"{PLATE} {SIGN}")
+
+
+def ink(pair, t):
+    """Return the share of the view that is painted at a time."""
+    return float(picture(shapes_at(pair, t), Box(0.0, 0.0, 24.0, 24.0))[3].mean())
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_gap_closes_before_a_sign_opens(backwards):
+    pair = blend(*[RING, SOLID][:: -1 if backwards else 1])
+    assert [shape.reason for shape in pair.shapes] == [CLOSED]
+    inks = [ink(pair, 1.0 - t if backwards else t) for t in (0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0)]
+    assert (np.diff(inks[:5]) > 0.0).all()
+    assert (np.diff(inks[4:]) < 0.0).all()
+    assert inks[4] == pytest.approx((22 / 24) ** 2, rel=0.01)
+
+
+def test_a_hole_that_stays_is_no_gap_that_closes():
+    pair = blend(RING, filled(f"{PLATE} {HOLE}"))
+    assert all(shape.reason != CLOSED for shape in pair.shapes)
+
+
+def test_two_islands_are_no_gap():
+    islands = "M8 11H10V13H8Z M14 11H16V13H14Z"
+    assert all(shape.reason != CLOSED for shape in blend(filled(f"{PLATE} {HOLE} {islands}"), SOLID).shapes)
