@@ -70,6 +70,12 @@ KNOB_SPILL = 0.1
 GRID = 192
 """Points along the side of the grid on which these are compared."""
 
+SHIFTS = (0.0, 0.37)
+"""Shifts of two grids, in steps: a row of one may lie along an edge, in the file on one side and drawn on the other."""
+
+UNSURE = 0.05
+"""Maximum lack of overlap on the first grid for the second one to decide."""
+
 
 class Recovered(NamedTuple):
     """A recovered line: a polyline, whether it is closed, its width, and its cap and join as SVG names them."""
@@ -249,25 +255,16 @@ def checked(
     lines: Sequence[Stretch], region: Region, contours: Sequence[ComplexArray]
 ) -> tuple[list[Recovered], list[ComplexArray]] | None:
     """Return the lines with the join with which they cover the region best, and its rests; None if they do not."""
-    low = min(region.starts.real), min(region.starts.imag)
-    corner = complex(*low) - 0.5 - 0.5j
-    size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
-
-    def painted(starts: ComplexArray, ends: ComplexArray) -> BoolArray:
-        return winding_grid(starts, ends, corner, size / GRID, GRID) != 0
-
-    wanted = painted(region.starts, region.ends)
-    best, covered, drawn = 0.0, wanted, list[Recovered]()
-    for join in ("round", "miter") if any(map(_has_corners, lines)) else ("round",):
-        some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
-        cells = painted(*stroke_edges(some))
-        overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
-        if overlap > best + 1e-4:
-            best, covered, drawn = overlap, cells, some
-    if best >= GOOD - _slanted(lines, float(wanted.sum()) * (size / GRID) ** 2):
+    grid, shifted = (_Grid.over(region, shift) for shift in SHIFTS)
+    wanted = grid.painted(region.starts, region.ends)
+    overlap, drawn = _with_best_join(lines, grid, wanted)
+    least = GOOD - _slanted(lines, float(wanted.sum()) * grid.step**2)
+    if least - UNSURE <= overlap < least:
+        overlap, drawn = _with_best_join(lines, shifted, shifted.painted(region.starts, region.ends))
+    if overlap >= least:
         return drawn, []
     # A wide line that is none, but a knob, leaves the region at its corners.
-    own = [painted(*stroke_edges([line])) for line in drawn]
+    own = [grid.painted(*stroke_edges([line])) for line in drawn]
     is_inside = [(cells & ~wanted).sum() <= KNOB_SPILL * cells.sum() for cells in own]
     drawn = [line for line, is_line in zip(drawn, is_inside, strict=True) if is_line]
     covered = np.logical_or.reduce(
@@ -279,10 +276,43 @@ def checked(
         return None
     rests = rests_of(contours, drawn)
     for rest in rests:
-        covered |= painted(rest, np.roll(rest, -1))
+        covered |= grid.painted(rest, np.roll(rest, -1))
     whole = float((wanted & covered).sum() / max(1, (wanted | covered).sum()))
     is_drawn = 0 < len(rests) <= MOST_RESTS and len(drawn) <= MOST_BESIDE_RESTS and whole >= GOOD
     return (drawn, rests) if is_drawn else None
+
+
+class _Grid(NamedTuple):
+    """Points at which a region and its lines are compared."""
+
+    corner: complex
+    step: float
+
+    @classmethod
+    def over(cls, region: Region, shift: float) -> _Grid:
+        """Lay a grid over a region, shifted by some steps."""
+        low = min(region.starts.real), min(region.starts.imag)
+        size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
+        step = size / GRID
+        return cls(complex(*low) - (0.5 - shift * step) * (1.0 + 1.0j), step)
+
+    def painted(self, starts: ComplexArray, ends: ComplexArray) -> BoolArray:
+        """Return which points polygons paint, by their edges."""
+        return winding_grid(starts, ends, self.corner, self.step, GRID) != 0
+
+
+def _with_best_join(
+    lines: Sequence[Stretch], grid: _Grid, wanted: BoolArray
+) -> tuple[float, list[Recovered]]:
+    """Return the overlap of a region and its lines with the join that suits them best, and these lines."""
+    best, drawn = 0.0, list[Recovered]()
+    for join in ("round", "miter") if any(map(_has_corners, lines)) else ("round",):
+        some = [Recovered(line.points, line.closed, line.width, _cap_of(line), join) for line in lines]
+        cells = grid.painted(*stroke_edges(some))
+        overlap = float((wanted & cells).sum() / max(1, (wanted | cells).sum()))
+        if overlap > best + 1e-4:
+            best, drawn = overlap, some
+    return best, drawn
 
 
 def _has_corners(line: Stretch) -> bool:
