@@ -15,6 +15,7 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
 from shapeblend_cli.pens.recover import recover
@@ -37,6 +38,9 @@ ROUND = 0.02
 
 LONGEST = 800.0
 """Maximum length of a line, in units: what goes far beyond its viewBox is no icon, and would take gigabytes."""
+
+SQUARE = 0.05
+"""Tolerance of a square that is a dot of a line with cut ends, as a share of its side."""
 
 TINT = 0.5
 """Maximum opacity of a fill that only tints a drawing, beneath its lines."""
@@ -115,10 +119,48 @@ def pen_drawing(drawing: PlacedDrawing, scale: float, most: float = np.inf) -> P
         else:
             (strokes if style.fill is None else lines).extend(found)
             ink += sum(max(line.length, line.width) * line.width for line in found)
+    dots = {body.number: dot for body in bodies if (dot := _square_dot(body, lines, scale)) is not None}
+    if dots:
+        bodies = [body for body in bodies if body.number not in dots]
+        lines += dots.values()
+        area = sum(dot.width**2 for dot in dots.values())
+        ink, rest = ink + area, max(0.0, rest - area)
+    lines = _each_once(lines)
     # Recovered lines are joined by the region that they paint.
     return PenDrawing(
         [*joined(strokes), *lines], bodies, ink / (ink + rest) if ink > 0.0 else 0.0, is_recovered
     )
+
+
+def _each_once(lines: Sequence[PenLine]) -> list[PenLine]:
+    """Return lines without those that are painted on the same again: a few files have every outline twice."""
+    found: dict[object, PenLine] = {}
+    for k, line in enumerate(lines):
+        is_opaque = line.style.stroke_opacity == 1.0
+        found.setdefault((line.points.round(3).tobytes(), line.closed, line.style) if is_opaque else k, line)
+    return list(found.values())
+
+
+def _square_dot(body: PlacedContour, lines: Sequence[PenLine], scale: float) -> PenLine | None:
+    """Return a square as a line as long as it is wide, if a line with cut ends has its width and paint."""
+    style = body.style
+    if not body.contour.straight.all() or body.role != EXTERIOR or style.stroke is not None:
+        return None
+    nodes = body.contour.segments[:, 0]
+    sides = rolled(nodes, -1) - nodes
+    sides = sides[np.abs(sides) * scale > 1e-6]
+    if len(sides) != 4 or np.abs(np.abs((rolled(sides, -1) / sides).imag) - 1.0).max() > SQUARE:
+        return None
+    across = max(sides, key=lambda side: (round(abs(side.real), 6), side.real))
+    for line in lines:
+        is_alike = line.style.stroke == style.fill and line.style.stroke_linecap == "butt"
+        if is_alike and abs(abs(across) * scale - line.width) < SQUARE * line.width:
+            points = (body.box.centre + np.array([-0.5, 0.5]) * across) * scale
+            number = body.number
+            return line._replace(
+                points=points, closed=False, contour=number, shape=body.shape, name=str(number)
+            )
+    return None
 
 
 def _lies_below(members: Sequence[PlacedContour], contours: Sequence[PlacedContour]) -> bool:

@@ -199,3 +199,14 @@ def test_a_disc_below_a_ring_of_another_colour_is_no_line(colour, count):
     wheel = f'<circle cx="12" cy="12" r="1.5" fill="{colour}"/>'
     tyre = '<circle cx="12" cy="12" r="1.5" fill="none" stroke="#000" stroke-width="1"/>'
     assert len(lines_of(wheel, tyre).lines) == count
+
+
+def test_a_square_beside_lines_with_square_ends_is_a_dot():
+    found = lines_of("M11 4H13V14H11Z", "M11 16H13V18H11Z")
+    assert [line.length for line in found.lines] == pytest.approx([10.0, 2.0])
+    assert found.share == 1.0
+    assert lines_of("M11 4H13V14H11Z", "M10 16H14V20H10Z").bodies
+
+
+def test_outlines_that_a_file_has_twice_are_one_line():
+    assert len(lines_of("M11 4H13V14H11Z M11 4H13V14H11Z").lines) == 1
