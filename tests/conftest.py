@@ -12,6 +12,8 @@ import hypothesis
 import numpy as np
 import pytest
 
+from tests.support.forked import SUBPROCESS
+
 ROOT = Path(__file__).parents[1]
 SAMPLES = ROOT / "samples"
 
@@ -37,6 +39,12 @@ def here(tmp_path, monkeypatch):
     """An empty folder, which is the current one."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture
+def forked(monkeypatch):
+    """Fork the processes of batches and of studios."""
+    monkeypatch.setattr("shapeblend_cli.system.processes.subprocess", SUBPROCESS)
 
 
 @pytest.fixture

@@ -53,7 +53,7 @@ OUTPUTS = {"-o", "--sheet", "--results", "--preview", "--summary", "--log-file"}
 
 
 @pytest.fixture
-def kitchen(here, monkeypatch):
+def kitchen(here, forked, monkeypatch):
     """A working folder with all that commands name, and no one's settings."""
     furnish()
     variables = {"ARRAY_TASK_ID": "1", "ARRAY_TASK_COUNT": "2", "CPUS_PER_TASK": "1"}

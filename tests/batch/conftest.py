@@ -5,16 +5,22 @@ from pathlib import Path
 
 import pytest
 
+from shapeblend_cli.batch import worker
 from shapeblend_cli.cli import run
 from tests.support.commands import write
 from tests.support.drawings import BAR, LEAF, RING, svg
 
 
+def write_drawings():
+    """Write a folder of four drawings, of which natural order and that of letters differ."""
+    Path("in").mkdir()
+    write(**{"in/1": svg(BAR), "in/2": svg(LEAF), "in/9": svg("M2 3H20V18Z"), "in/10": svg(RING)})
+
+
 @pytest.fixture
 def drawings(here):
-    """A working folder with a folder of four drawings, of which natural order and that of letters differ."""
-    Path("in").mkdir()
-    write(**{"in/1": svg(BAR), "in/2": svg(LEAF), "in/9": svg(BAR + LEAF), "in/10": svg(RING)})
+    """A working folder with these drawings."""
+    write_drawings()
     return here
 
 
@@ -79,5 +85,7 @@ def broken(monkeypatch, here):
         Path("broken").mkdir()
         Path("broken/sitecustomize.py").write_text(BROKEN.format(code), "utf-8")
         monkeypatch.setenv("PYTHONPATH", str(Path("broken").resolve()))
+        monkeypatch.setattr(worker, "do", worker.do)  # which is what it is again after the test
+        exec(BROKEN.format(code), {})  # for processes that are forked
 
     return have

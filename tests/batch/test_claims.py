@@ -10,6 +10,8 @@ from shapeblend_cli.cli import run
 from tests.batch.test_workers import COMMAND, wait_for
 from tests.support.commands import assert_refused, contents
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 LINE = ("--chain", "in", "-o", "m/{n}.svg", "-j", "1")
 OTHER = ("batch", *LINE, "--duration", "3")
 

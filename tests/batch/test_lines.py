@@ -12,6 +12,8 @@ from shapeblend_cli.batch.lines import add_results
 from shapeblend_cli.cli import run
 from tests.support.commands import assert_refused
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 ROW = '{"job": 1, "status": "done"}'
 ADD = """
 import sys

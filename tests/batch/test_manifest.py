@@ -12,6 +12,8 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.rows.row import RECORDS, command_of, options_of
 from tests.support.commands import assert_refused, contents, names
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 ROWS = [
     {"a": "1.svg", "b": "2.svg", "o": "x.svg", "duration": 3, "curves": False, "match": ["0=0"]},
     {"a": "2.svg", "b": "9.svg", "c": "10.svg", "output": "y", "frames": 2, "ends": True},

@@ -14,6 +14,8 @@ from shapeblend_cli.cli import run
 from tests.support.commands import contents, report, write
 from tests.support.drawings import BAR, LEAF, RING, svg
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 TURNED = "M4,0 L6,0 L6,10 L4,10 Z"
 
 

@@ -10,6 +10,8 @@ import pytest
 from shapeblend_cli.cli import run
 from tests.support.commands import names
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 
 def planned(capsys, line):
     """The outputs that a batch would write."""

@@ -8,6 +8,8 @@ import pytest
 from shapeblend_cli.cli import run
 from tests.support.commands import contents, names
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 ROWS = ["in/1.svg,in/2.svg,m/1.svg", "in/2.svg,in/9.svg,m/2.svg", "in/9.svg,in/10.svg,m/deep/3"]
 
 

@@ -13,6 +13,8 @@ import pytest
 from shapeblend_cli.cli import run
 from tests.support.commands import assert_refused
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 NAMES = ["plain", "a b", "#1", "$HOME", "c:d", "back\\slash", "back\\ space", "(1)[2]"]
 """Names that have to be escaped."""
 

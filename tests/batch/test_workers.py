@@ -34,6 +34,7 @@ def test_many_processes_do_what_one_does(drawings, batch):
         assert path.read_bytes() == Path("three", path.name).read_bytes()
 
 
+@pytest.mark.usefixtures("forked")
 def test_a_process_that_dies_costs_its_job_one_more_attempt(drawings, broken, batch):
     broken("once('died-' + output[-5]) and output[-5] in '25' and os.kill(os.getpid(), 9)")
     status, results, _ = batch(*LINE, "-j", "2")
@@ -41,6 +42,7 @@ def test_a_process_that_dies_costs_its_job_one_more_attempt(drawings, broken, ba
     assert [results[n]["attempts"] for n in range(1, 7)] == [1, 2, 1, 1, 2, 1]
 
 
+@pytest.mark.usefixtures("forked")
 def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawings, broken, batch):
     broken("output.endswith('3.svg') and os.kill(os.getpid(), 11)")
     status, results, printed = batch(*LINE, "-j", "2")
@@ -64,24 +66,25 @@ def test_a_job_that_kills_every_process_has_died_and_the_others_are_done(drawing
     assert "shapeblend: 5 done, 1 died" in printed.err
 
 
+@pytest.mark.usefixtures("forked")
 @pytest.mark.parametrize("how", ["time.sleep(60)", "[signal.pthread_sigmask(0, [14]), time.sleep(60)]"])
 def test_a_job_that_takes_too_long(how, drawings, broken, batch, monkeypatch):
     """By itself, or where it does not listen, because the supervisor kills its process."""
     monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
     broken(f"output.endswith('3.svg') and {how}")
-    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "2.5")
+    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "1")
     assert status == 1
     assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["timeout"] + ["done"] * 3
-    assert "stopped after 2.5 s (--timeout)" in results[3]["error"]
+    assert "stopped after 1 s (--timeout)" in results[3]["error"]
 
 
 def test_a_job_that_takes_too_much_memory(drawings, broken, batch):
     """Before that is said, the job is tried in a new process, as the old one may have kept something of others."""
-    broken("sys.modules['kept'] = b'1' * 10**9 if output.endswith('3.svg') else b''")
-    status, results, printed = batch(*LINE, "-j", "2", "--max-memory", "500")
+    broken("sys.modules['kept'] = b'111' * 10**8 if output.endswith('3.svg') else b''")
+    status, results, printed = batch(*LINE, "-j", "2", "--max-memory", "200")
     assert status == 1
     assert [results[n]["status"] for n in range(1, 7)] == ["done"] * 2 + ["memory"] + ["done"] * 3
-    assert results[3]["error"] == "stopped at 500 MB of memory (--max-memory); nothing was written"
+    assert results[3]["error"] == "stopped at 200 MB of memory (--max-memory); nothing was written"
     assert "5 done, 1 took too much memory" in printed.err
 
 
@@ -89,6 +92,7 @@ def test_jobs_have_limits():
     assert (Order((), {}, False).seconds, Order((), {}, False).megabytes) == (300.0, 2000.0)
 
 
+@pytest.mark.usefixtures("forked")
 def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, batch):
     Path("in/1.svg").write_text("<svg/>", "utf-8")
     status, results, printed = batch("--chain", "in", "-o", "m/{n}.svg", "-j", "1")
@@ -101,6 +105,7 @@ def test_failures_stop_no_other_job_unless_as_many_as_are_asked_for(drawings, ba
         assert f"shapeblend: {number} failed, {6 - number} left" in printed.err
 
 
+@pytest.mark.usefixtures("forked")
 def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, batch, monkeypatch):
     monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
     broken(
@@ -108,7 +113,7 @@ def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, b
         "'2': lambda: once('late') and time.sleep(60),"
         "'3': lambda: any(map(once, 'abc')) and os.kill(os.getpid(), 9)}[output[0]]()"
     )
-    rows = "in/1.svg,in/2.svg,1.svg,\nin/2.svg,in/9.svg,2.svg,2.5\nin/9.svg,in/10.svg,3.svg,\n"
+    rows = "in/1.svg,in/2.svg,1.svg,\nin/2.svg,in/9.svg,2.svg,1\nin/9.svg,in/10.svg,3.svg,\n"
     Path("jobs.csv").write_text(f"a,b,o,timeout\n{rows}", "utf-8")
     status, results, _ = batch("jobs.csv", "--retries", "3")
     assert (status, results[1]["attempts"], results[3]["attempts"]) == (0, 2, 4)
@@ -190,10 +195,11 @@ def test_a_second_signal_ends_at_once_a_process_that_does_not_listen(drawings, b
     assert not list(Path("m").glob("*.svg"))
 
 
+@pytest.mark.usefixtures("forked")
 def test_a_job_that_took_too_long_leaves_no_process(drawings, broken, batch, monkeypatch):
     monkeypatch.setattr("shapeblend_cli.batch.supervisor.GRACE", 0.5)
     broken(f"output.endswith('3.svg') and {DEAF}")
-    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "2.5")
+    status, results, _ = batch(*LINE, "-j", "2", "--timeout", "1")
     assert (status, results[3]["status"]) == (1, "timeout")
     assert is_gone(int(Path("deaf").read_text()))
 

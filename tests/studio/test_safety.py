@@ -13,6 +13,8 @@ from shapeblend_cli.studio.server import ASSETS, POLICY
 from tests.support.commands import wait_until
 from tests.support.drawings import BAR, LEAF, svg
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 PROJECT = {"files": ["a.svg", "b.svg"]}
 LOOK = json.dumps({"project": PROJECT})
 TYPE = {"Content_Type": "application/json"}

@@ -13,6 +13,8 @@ from shapeblend_cli.outputs.registry import FORMATS
 from tests.support.documents import ROOT
 from tests.support.drawings import BAR, EYED, LEAF, svg
 
+pytestmark = pytest.mark.usefixtures("forked")
+
 PROJECT = {"files": ["a.svg", "b.svg"], "pin": ["2,6:3,14"], "kb": 0.5}
 
 
