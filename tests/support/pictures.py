@@ -1,14 +1,16 @@
 """SVG documents as pixels."""
 
 import io
+from functools import lru_cache
 
 import numpy as np
 import resvg_py
 from PIL import Image
 
-SIZE, FINER = 240, 3
+SIZE, FINER = 160, 3
 
 
+@lru_cache(maxsize=32)
 def pixels(svg):
     """Red, green and blue of a document on white, as float: drawn larger, which evens out antialiasing."""
     png = bytes(resvg_py.svg_to_bytes(svg_string=svg, width=FINER * SIZE, background="#ffffff"))
