@@ -1,11 +1,13 @@
 """Which room may look into which, by imports and by calls, and how large functions, files and rooms are."""
 
 import ast
+import cProfile
 import os
 import re
 import sys
 import tomllib
 from collections import Counter
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -118,7 +120,10 @@ def module_name(file):
     return ".".join(parts[:-1] if len(parts) > 1 and parts[-1] == "__init__" else parts)
 
 
-TREES = {module_name(file): ast.parse(file.read_text("utf-8")) for file in sorted(PACKAGE.rglob("*.py"))}
+@cache
+def trees():
+    """The syntax tree of each module."""
+    return {module_name(file): ast.parse(file.read_text("utf-8")) for file in sorted(PACKAGE.rglob("*.py"))}
 
 
 _PROJECT = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text("utf-8"))["tool"]
@@ -136,14 +141,17 @@ def rooms_below(name):
     return {name}.union(*map(rooms_below, ROOMS[name].split()))
 
 
+@cache
 def imports(module):
     """Full names that a module imports, anywhere in it: in functions, and for types alone, too."""
-    for node in ast.walk(TREES[module]):
+    found = []
+    for node in ast.walk(trees()[module]):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{module}: write `from shapeblend_cli...`, not a relative import"
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            found += [f"{node.module}.{alias.name}" for alias in node.names]
+    return found
 
 
 def imported_modules(module):
@@ -152,7 +160,7 @@ def imported_modules(module):
         package, _, rest = name.partition(".")
         if package == "shapeblend_cli":
             parent = rest.rpartition(".")[0]
-            yield rest if rest in TREES else parent if parent in TREES else "__init__"
+            yield rest if rest in trees() else parent if parent in trees() else "__init__"
 
 
 def assert_none(wrong, remedy):
@@ -165,13 +173,13 @@ def test_arrows_in_the_table_point_down():
     for name, below in ROOMS.items():
         upwards = [other for other in below.split() if order.index(other) <= order.index(name)]
         assert upwards == [], f"{name} stands below {upwards}: move what they share into a room below both"
-    assert {room(module) for module in TREES} == set(ROOMS), "ROOMS has lines for rooms that are gone"
+    assert {room(module) for module in trees()} == set(ROOMS), "ROOMS has lines for rooms that are gone"
 
 
 def test_imports_follow_the_arrows():
     arrows = {(name, below) for name in ROOMS for below in ROOMS[name].split()}
     taken, wrong = set(), set()
-    for module in TREES:
+    for module in trees():
         for other in imported_modules(module):
             arrow = room(module), room(other)
             taken.add(arrow)
@@ -186,13 +194,13 @@ def test_tools_import_modules_that_there_are():
     for file in (PACKAGE.parent / "tools").rglob("*.py"):
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):
             if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("shapeblend_cli."):
-                if node.module.partition(".")[2] not in TREES:
+                if node.module.partition(".")[2] not in trees():
                     wrong.add(f"{file.name} imports {node.module}")
     assert_none(wrong, "import it from where it is now")
 
 
 def test_no_modules_import_each_other_in_a_circle():
-    graph = {module: {*imported_modules(module)} - {module} for module in TREES}
+    graph = {module: {*imported_modules(module)} - {module} for module in trees()}
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
@@ -201,7 +209,7 @@ def test_no_modules_import_each_other_in_a_circle():
 
 def test_libraries_are_known_to_the_rooms_that_wrap_them():
     wrong = set()
-    for module in TREES:
+    for module in trees():
         for library in {name.split(".")[0] for name in imports(module)} - SHARED - {"shapeblend_cli"}:
             assert library in LIBRARIES, f"{module} imports {library}: give it a line in LIBRARIES"
             if room(module) not in LIBRARIES[library].split():
@@ -211,7 +219,7 @@ def test_libraries_are_known_to_the_rooms_that_wrap_them():
 
 def test_functions_have_few_parameters():
     long = set()
-    for module, tree in TREES.items():
+    for module, tree in trees().items():
         for function in ast.walk(tree):
             if isinstance(function, ast.FunctionDef):
                 of = function.args
@@ -227,8 +235,8 @@ def test_functions_files_and_rooms_are_small():
         for file in SOURCES
         if module_name(file) not in KERNELS and lines_of(file) > LONGEST_FILE
     }
-    for module in TREES.keys() - KERNELS:
-        for node in ast.walk(TREES[module]):
+    for module in trees().keys() - KERNELS:
+        for node in ast.walk(trees()[module]):
             if isinstance(node, ast.FunctionDef) and code_lines(node) > MOST_LINES:
                 long.add(f"{module}.{node.name}")
     assert_none(long, "cut it in two where it does two things")
@@ -269,16 +277,9 @@ def code_lines(function):
 
 def test_calls_follow_the_arrows(here):
     """At run time too: no function, handed down or made late, reaches a room that imports could not reach."""
-    calls = set()
-
-    def watch(frame, event, _):
-        if event == "call" and frame.f_back is not None:
-            calls.add((frame.f_back.f_code, frame.f_code))
-
     for name, path in {"a": EYED, "b": LEAF, "c": SQUARES, "d": BAR}.items():
         Path(f"{name}.svg").write_text(svg(path, attributes='fill-rule="evenodd"'), "utf-8")
-    sys.setprofile(watch)
-    try:
+    with cProfile.Profile(builtins=False) as profile:
         for arguments in (
             "a.svg b.svg -v -n 2 --ends --report report.json --preview page.html --vertices 40",
             "c.svg d.svg a.svg -o moving.svg --unmatched split",
@@ -287,8 +288,7 @@ def test_calls_follow_the_arrows(here):
             "plot graph c.svg d.svg -o plot.svg",
         ):
             assert run(arguments.split()) == 0
-    finally:
-        sys.setprofile(None)
+    calls = {(entry.code, call.code) for entry in profile.getstats() for call in entry.calls or ()}
     inside = [[(c, module_name(c.co_filename)) for c in call] for call in calls if all(map(is_ours, call))]
     wrong = {
         f"{module}.{caller.co_qualname} calls {other}.{callee.co_qualname}"

@@ -3,7 +3,7 @@
 import ast
 import re
 
-from tests.test_architecture import TREES, assert_none
+from tests.test_architecture import assert_none, trees
 
 BEGINNINGS = re.compile(r"(What|So|By|Of|How|From)\b")
 POSITIONS = re.compile(r"\bthe (first|second)\b")
@@ -24,7 +24,7 @@ def is_tuple(node):
 
 
 def faults():
-    for module, tree in TREES.items():
+    for module, tree in trees().items():
         for before, node, text in described(tree):
             where = f"{module}:{node.lineno}"
             if BEGINNINGS.match(text):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import shlex
 import shutil
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -95,6 +96,7 @@ def without_code(text: str) -> str:
     return FENCE.sub("", text)
 
 
+@cache
 def blocks() -> list[Block]:
     """Every fenced block of code of the documents."""
     return [

@@ -27,6 +27,7 @@ from tests.svg.reading.drawings import svg
 pytest.importorskip("uharfbuzz")
 embedded = pytest.importorskip("tests.svg.reading.test_text").embedded
 
+COARSE = Settings(vertices=30)
 SVG = "{http://www.w3.org/2000/svg}"
 BAR = '<rect width="100" height="5"/>'
 ONE = '<text id="t" x="10" y="40" font-size="20">HELLO</text>'
@@ -42,7 +43,7 @@ def file_of(markup, font=None):
 
 def pair_of(a, b, font=None):
     drawings = [read(name, file_of(each, font).encode(), text="keep") for name, each in (("a", a), ("b", b))]
-    (pair,), _ = match_all(drawings, Settings())
+    (pair,), _ = match_all(drawings, COARSE)
     return pair
 
 
@@ -217,7 +218,7 @@ def test_outlines_are_those_of_the_letters():
             [m.replace("<text", '<text transform="rotate(30 30 40) skewX(10)"') for m in markup],
         )
     ]
-    (outlined,), _ = match_all(plain, Settings())
+    (outlined,), _ = match_all(plain, COARSE)
     for end, as_drawn in itertools.product((0.0, 1.0), (True, False)):
         one, other_frame = (
             pixels(frame_svg(frame_at(pair, end, as_drawn=as_drawn), 3)) for pair in (kept, outlined)
