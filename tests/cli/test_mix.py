@@ -13,6 +13,7 @@ from tests.support.drawings import BAR, EIGHT, EYED, I_DOT, J_DOT, LEAF, RING, S
 from tests.support.pictures import pixels
 
 EVENODD = 'fill-rule="evenodd"'
+COARSE = ("--vertices", "60", "-q", "-f")
 
 
 def letters(*paths):
@@ -25,7 +26,7 @@ def mixed(files, *mixes):
     """The texts of the frames of mixtures."""
     shutil.rmtree("mixed", ignore_errors=True)
     given = [word for mix in mixes for word in ("--mix", mix)]
-    assert run([*files, *given, "-o", "mixed", "-f", "-q"]) == 0
+    assert run([*files, *given, "-o", "mixed", *COARSE]) == 0
     return [path.read_text() for path in sorted(Path("mixed").iterdir())]
 
 
@@ -33,7 +34,7 @@ def test_all_of_one_drawing_is_that_drawing(here):
     files = letters(B, EIGHT, RING)
     found = mixed(files, "1,0,0", "0,2,0", "0,0,1")
     for text, file, other in zip(found, files, ("b.svg", "a.svg", "b.svg"), strict=True):
-        assert run([file, other, "-n", "0", "--ends", "-o", "ends", "-f", "-q"]) == 0
+        assert run([file, other, "-n", "0", "--ends", "-o", "ends", *COARSE]) == 0
         assert points(text) == pytest.approx(points(Path("ends/frame-1.svg").read_text()))
     assert mixed(files, "1,0,0") == [found[0]]  # also alone
 
@@ -44,10 +45,8 @@ def test_all_of_one_drawing_is_that_drawing(here):
 def test_none_of_a_drawing_is_the_blend_of_the_others(here, mix, pair, count):
     files = letters(B, EIGHT, EYED)
     (text,) = mixed(files, mix)
-    assert (
-        run([f"{pair[0]}.svg", f"{pair[1]}.svg", "-n", str(count), "-o", "blend", "-q", "--motion", "linear"])
-        == 0
-    )
+    names = [f"{name}.svg" for name in pair]
+    assert run([*names, "-n", str(count), "-o", "blend", "--motion", "linear", *COARSE]) == 0
     assert text == Path("blend/frame-1.svg").read_text()
 
 
@@ -90,21 +89,23 @@ def test_what_one_drawing_has_grows_from_a_point(here):
 def test_mixtures_go_over_into_the_drawings(here, drawings):
     """Nearly all of a drawing looks like it, whichever it is."""
     files = letters(*drawings)
-    for k in range(len(drawings)):
-        nearly = ["0.001"] * len(drawings)
-        wholly = ["0"] * len(drawings)
-        nearly[k] = wholly[k] = "1"
-        close, exact = mixed(files, ",".join(nearly), ",".join(wholly))
+    mixes = [
+        ",".join("1" if other == k else rest for other in range(len(drawings)))
+        for k in range(len(drawings))
+        for rest in ("0.001", "0")
+    ]
+    found = mixed(files, *mixes)
+    for close, exact in zip(found[::2], found[1::2], strict=True):
         assert np.abs(pixels(close).astype(float) - pixels(exact)).mean() < 3.0
 
 
 def test_one_mixture_is_written_to_one_file(here):
     files = letters(B, EIGHT, RING)
     (text,) = mixed(files, "1,1,1")
-    assert run([*files, "--mix", "1,1,1", "-o", "one.svg", "-q"]) == 0
+    assert run([*files, "--mix", "1,1,1", "-o", "one.svg", *COARSE]) == 0
     assert Path("one.svg").read_text() == text
     assert "<animate" not in text
-    assert run([*files, "--mix", "1,1,1", "--mix", "1,2,3", "-o", "sheet.png", "-q"]) == 0
+    assert run([*files, "--mix", "1,1,1", "--mix", "1,2,3", "-o", "sheet.png", *COARSE]) == 0
     assert Path("sheet.png").stat().st_size > 1000
 
 
@@ -118,7 +119,7 @@ def test_names_stay_in_mixtures(here):
 
 def test_mixtures_in_python(here):
     files = letters(B, EIGHT, RING)
-    blend = sb.blend(files)
+    blend = sb.blend(files, vertices=60)
     (text,) = mixed(files, ".2,.5,.3")
     assert blend.mix(0.2, 0.5, 0.3).svg == text
     with pytest.raises(sb.ShapeblendError, match="has 2 shares; 3 files given"):

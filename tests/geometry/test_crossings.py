@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from shapeblend_cli.geometry import crossings, cubics
 from shapeblend_cli.geometry.crossings import path_crossings, polygon_crossings
 from shapeblend_cli.geometry.polygons import reverse_contour
-from shapeblend_cli.model import CubicPath
+from shapeblend_cli.model import Contour, CubicPath
 from tests.support.contours import circle_contour as circle
 from tests.support.contours import polygon, polyline
 from tests.support.contours import polygon_contour as lines
@@ -257,7 +257,8 @@ def test_compiled_and_uncompiled_kernels_agree(rng, load_uncompiled):
     assert crossings.COMPILED
     uncompiled = load_uncompiled("shapeblend_cli.geometry.crossings")
     assert not uncompiled.COMPILED
-    shapes = [outlines for outlines, _ in ALL.values()][::2]
-    shapes += [[random_chain(rng, 2), random_chain(rng, 2)], [lines(random_polygon(rng, 40))]]
+    shapes = [outlines for name, (outlines, _) in [*ALL.items()][::2] if name != "a circle twice"]
+    arc = Contour(circle().segments[:1], np.zeros(1, bool), False)  # of which the same is seen in less time
+    shapes += [[arc, arc], [random_chain(rng, 2), random_chain(rng, 2)], [lines(random_polygon(rng, 40))]]
     counts = [path_crossings(outlines) for outlines in shapes]
     assert [uncompiled.path_crossings(outlines) for outlines in shapes] == counts

@@ -72,7 +72,7 @@ def test_affine_maps_are_exact(name, kind, rng):
 
 
 def test_no_triangle_turns_over_at_any_time(monkeypatch):
-    """In fifty pairs of outlines, at a hundred times each; the outline itself stays where it is."""
+    """In fifty pairs of outlines, at 25 times each; the outline itself stays where it is."""
     monkeypatch.setattr(bending_module, "INNER", 25)
     laid_out = 0
     for seed in range(50):
@@ -80,7 +80,7 @@ def test_no_triangle_turns_over_at_any_time(monkeypatch):
         a, b = bumpy(rng, 36), bumpy(rng, 36) * np.exp(1j * rng.uniform(-1, 1))
         bending = Bending(a, b, between(a, b))
         laid_out += bending.is_laid_out
-        for t, outline in between(a, b, TIMES):
+        for t, outline in between(a, b, TIMES[::4]):
             mesh = bending.mesh(outline, t)
             assert doubled_areas(mesh.points, mesh.triangles).min() > 0.0, (seed, t)
             for ends, end in ((mesh.points, outline), (mesh.in_a, a), (mesh.in_b, b)):

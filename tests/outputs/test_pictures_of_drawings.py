@@ -117,7 +117,8 @@ def test_opaque_pictures_dissolve_without_a_hole(files):
 
 
 def test_the_preview_and_the_report_take_pictures(files):
-    assert run(["a.svg", "b.svg", "-o", "moving.gif", "--preview", "p.html", "--report", "r.json"]) == 0
+    line = "a.svg b.svg -o moving.gif --duration 0.2 --preview p.html --report r.json"
+    assert run(line.split()) == 0
     assert run(["inspect", "a.svg"]) == 0
 
 
