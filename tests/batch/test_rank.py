@@ -69,7 +69,8 @@ def test_by_work_the_least_work_comes_first(icons, ranked):
 
 
 def test_by_work_a_drawing_that_is_built_alike_comes_first(ranked, samples, here):
-    found, _ = ranked(str(samples / "cow.svg"), str(samples), "--by", "work", "--top", "1")
+    cow, *others = (str(samples / f"{name}.svg") for name in "cow bird-1 dancer-1 deer e".split())
+    found, _ = ranked(cow, *others, "--by", "work", "--top", "1")
     assert [Path(each["file"]).stem for each in found] == ["deer"]
 
 

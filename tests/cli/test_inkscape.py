@@ -1,8 +1,10 @@
 """`shapeblend inkscape`, without Inkscape."""
 
+import io
 import os
 import subprocess
 import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -22,7 +24,10 @@ def blended(*options, document=DOCUMENT, ids=("low", "high"), command="blend"):
     """What the command prints for a document."""
     Path("document.svg").write_text(document)
     selected = [word for name in ids for word in ("--id", name)]
-    return process("inkscape", command, "document.svg", *selected, *options).stdout.decode()
+    printed = io.TextIOWrapper(io.BytesIO(), "utf-8", write_through=True)
+    with redirect_stdout(printed):
+        assert run(["inkscape", command, "document.svg", *selected, *options]) == 0
+    return printed.buffer.getvalue().decode()
 
 
 def frames(text, name="frame-"):

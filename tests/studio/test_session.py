@@ -10,8 +10,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.errors import PictureError
 from shapeblend_cli.outputs.registry import FORMATS
-from tests.support.documents import ROOT
-from tests.support.drawings import BAR, EYED, LEAF, svg
+from tests.support.drawings import BAR, EYED, I_DOT, LEAF, svg
 
 pytestmark = pytest.mark.usefixtures("forked")
 
@@ -200,8 +199,8 @@ def test_the_numbers_of_parts_are_those_of_the_command(client, here):
 
 
 def test_other_blends_have_the_options_that_give_them(client, here):
-    for name, drawing in {"a": "car", "b": "bus"}.items():
-        (here / f"{name}.svg").write_bytes((ROOT / "docs" / "studio" / f"{drawing}.svg").read_bytes())
+    (here / "a.svg").write_text(svg(LEAF))
+    (here / "b.svg").write_text(svg(I_DOT))
     others = client.ask("others", project={"files": ["a.svg", "b.svg"]})["others"]
     assert others[0]["changes"] == {}
     assert len(others) > 1
