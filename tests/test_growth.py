@@ -34,7 +34,7 @@ def calls_to_blend(kind, count, folder):
     before = sys.getprofile()
     sys.setprofile(count_calls)
     try:
-        match_all(drawings_of(kind, count, folder), Settings())
+        match_all(drawings_of(kind, count, folder), Settings(vertices=60))
     finally:
         sys.setprofile(before)
     return calls

@@ -55,7 +55,8 @@ import shapeblend_cli.batch.worker as worker
 
 def once(name):
     try:
-        os.close(os.open(name, os.O_CREAT | os.O_EXCL))
+        with open(name, "x") as file:
+            print(os.getpid(), file=file)
         return True
     except FileExistsError:
         return False
@@ -78,7 +79,8 @@ worker.do = lambda order: (before(order), do(order))[1]
 def broken(monkeypatch, here):
     """Have workers do something before some jobs: Python code in which `output` is what the job is to write.
 
-    `once(name)` is true once, and `hold()` waits once until there is a file `go`; there is one `begun` from then on.
+    `once(name)` is true once, and `hold()` waits once until there is a file `go`; from then on `begun` has the
+    number of its process.
     """
 
     def have(code):
