@@ -92,7 +92,13 @@ def test_what_cannot_be_in_between_switches_at_half_time(here):
 @pytest.mark.parametrize(
     "options",
     [
-        *("-o x", "-o x.svg --animate smil", "-o x.svg --animate css", "-o x.svg --animate frames"),
+        *(
+            "-o x",
+            "-o x.svg --animate smil",
+            "-o x.svg --animate css",
+            "-o x.svg --animate frames",
+            "-o x.json",
+        ),
         *(f"-o x.{kind} -n 2 --width 50" for kind in ("png", "gif", "webp", "apng")),
     ],
 )

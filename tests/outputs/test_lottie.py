@@ -77,11 +77,11 @@ def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_i
 
 
 @each_blend
-def test_same_input_same_bytes_and_finite_short_numbers(here, blend):
-    before = emitted(blend, *LINEAR_LOTTIE)
-    assert emitted(blend, *LINEAR_LOTTIE, "-f") == before
+def test_numbers_are_finite_and_short(here, blend):
     seen = []
-    json.loads(before, parse_float=seen.append, parse_constant=lambda text: pytest.fail(text))
+    json.loads(
+        emitted(blend, *LINEAR_LOTTIE), parse_float=seen.append, parse_constant=lambda text: pytest.fail(text)
+    )
     assert all(math.isfinite(float(text)) and len(text) <= 12 for text in seen)
     assert not [text for text in seen if text.endswith(".0")]
 
