@@ -1,5 +1,6 @@
 """Shared settings and fixtures."""
 
+import gc
 import importlib.util
 import os
 import sys
@@ -20,6 +21,17 @@ SAMPLES = ROOT / "samples"
 hypothesis.settings.register_profile("repeatable", derandomize=True, deadline=None, max_examples=30)
 hypothesis.settings.register_profile("thorough", deadline=None, max_examples=300)
 hypothesis.settings.load_profile("repeatable")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection():
+    """Collect tests without a search for garbage, and leave what they are out of later searches."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @pytest.fixture
