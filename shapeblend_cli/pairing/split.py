@@ -427,10 +427,10 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
         edge = near[np.abs(z[near] - z[k]).argmin()]
         places.append(float(edge + edges[0][edge] / (edges[0][edge] - edges[1][edge])))
     finer = with_vertices(polygon, np.array(places))
-    i, j = (int(np.floor(place)) + 1 + (place > min(places)) for place in places)
+    start, end = (int(np.floor(place)) + 1 + (place > min(places)) for place in places)
     fine = outline._replace(polygon=finer)
-    is_inside = fine.may_be_cut(complex(finer.vertices[i]), complex(finer.vertices[j]))
-    return (finer, i, j) if is_inside else (polygon, i, j)
+    is_inside = fine.may_be_cut(complex(finer.vertices[start]), complex(finer.vertices[end]))
+    return (finer, start, end) if is_inside else (polygon, i, j)
 
 
 def _is_notch(z: ComplexArray, k: int) -> bool:

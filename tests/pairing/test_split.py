@@ -8,7 +8,7 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.pairing.split import hole_in_piece
-from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, contours_of, drawing
+from tests.support.drawings import BAR, EVENODD, EYED, LEAF, RING, SQUARES, B, contours_of, drawing
 from tests.support.motions import pair_of
 
 DISCS = "".join(f"M{x} 9A3 3 0 1 0 {x} 15A3 3 0 1 0 {x} 9Z" for x in (4, 12, 20))
@@ -45,6 +45,13 @@ def test_an_outline_is_cut_where_it_touches_itself(whole, unmatched):
     found = pairs(whole, PAUSE if "V" in whole else TWO_BARS, unmatched)
     assert [p.is_piece for p, _ in found] == [True, True]
     assert [abs(signed_area(p.contour.segments)) for p, _ in found] == pytest.approx([100, 100], rel=1e-3)
+
+
+def test_a_cut_that_would_not_lie_inside_when_straightened_is_left_as_it_is():
+    contours = [contours_of(each, vertices=12, attributes=EVENODD) for each in (B, SQUARES)]
+    found = pair_contours(*contours, Settings(vertices=12))
+    assert all(np.isfinite(p.contour.segments).all() for p, _ in found)
+    assert {q.number for _, q in found} <= {0, 1, 2, 3}
 
 
 def test_the_other_way_round_it_is_the_same():
