@@ -92,6 +92,9 @@ SAME_OUTLINE = 0.015
 MOST_KEPT = 0.35
 """Minimum share of the outline of a whole that a part has, if the part is the whole but for a bite."""
 
+MOST_INSIDE = 0.85
+"""Minimum share of the vertices of such a part that lie in the whole, or on its outline."""
+
 LEAST_KEPT = 0.15
 """Maximum share of the outline of a whole that what fills the bite has."""
 
@@ -258,14 +261,17 @@ def _tiles(parts: Sequence[PlacedContour], whole: PlacedContour) -> list[PlacedC
 def _bitten(parts: Sequence[PlacedContour], whole: PlacedContour) -> PlacedContour | None:
     """Return the part that is the whole but for a bite, where what fills the bite is nothing of the whole: a sign.
 
-    It has much of the whole's outline, and no other part has more than a little.
+    It has much of the whole's outline, and no other part has more than a little. Hardly any of it is outside.
     """
     distance = SAME_OUTLINE * whole.box.larger_side
     kept = [float(are_near(whole.polygon.vertices, part.polygon.line, distance).mean()) for part in parts]
     order = np.argsort(kept)
     if len(parts) < 2 or kept[order[-1]] < MOST_KEPT or kept[order[-2]] > LEAST_KEPT:
         return None
-    return parts[order[-1]]
+    left = parts[order[-1]]
+    z = left.polygon.vertices
+    is_inside = (winding_numbers(z, whole.polygon.vertices) != 0) | are_near(z, whole.polygon.line, distance)
+    return left if is_inside.mean() >= MOST_INSIDE else None
 
 
 def _is_like(part: Box, whole: Box) -> bool:
