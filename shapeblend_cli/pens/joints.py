@@ -40,6 +40,9 @@ SLANTED = 0.5
 BOW = 0.7
 """Maximum distance of the ends of a bow, as a share of its length."""
 
+MOST_BOW = 32.0
+"""Maximum length of a bow, in units: a longer one is a body."""
+
 REACH = 0.4
 """Length at the end of a line that gives its direction, in units."""
 
@@ -213,7 +216,8 @@ def with_bows(lines: Sequence[PenLine]) -> list[PenLine]:
     for k, line in enumerate(lines):
         others = [each for j, each in enumerate(edges) if j != k and len(each[0])]
         feet = line.points[[0, -1]]
-        if others and not line.closed and abs(feet[1] - feet[0]) < BOW * line.length:
+        is_bent = not line.closed and abs(feet[1] - feet[0]) < BOW * line.length
+        if others and is_bent and line.length < MOST_BOW:
             starts, ends = (np.concatenate(each) for each in zip(*others, strict=True))
             away, _, _ = nearest_edges(feet, starts, ends)
             line = line._replace(is_bow=bool(away.max() < line.reach))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.pens.line import at, corners, evenly, length, part_of
@@ -49,7 +50,11 @@ CLOSING_COST = 0.25
 """Cost of opening or closing a line, as a share of its length."""
 
 PRESSED_BENT_COST = 0.4
-"""Cost of pressing a ring to a bent line, as a share of their length: both sides would be one thick line for long."""
+"""Cost of pressing a round ring to a bent line, as a share of their length: it opens as well, but one with corners
+keeps these as kinks then."""
+
+ROUND = 0.92
+"""Minimum area of a round ring, as a share of the area of a circle of its length."""
 
 STRAIGHT = 0.9
 """Minimum distance of the ends of a line that is not bent, as a share of its length."""
@@ -180,10 +185,15 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
         steps = np.linspace(0, len(pressed[0]) - 1, WATCHED).round().astype(np.intp)
         work = mean * float(work_between(pressed[0][steps], pressed[1][steps]))
         is_bent = line.is_piece or abs(line.points[-1] - line.points[0]) < STRAIGHT * line.length
-        bending = PRESSED_BENT_COST * mean if is_bent else 0.0
+        bending = PRESSED_BENT_COST * mean if is_bent and _is_round(ring) else 0.0
         costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing + bending)
     best = int(np.argmin(costs))
     return costs[best], *ways[best]
+
+
+def _is_round(ring: PenLine) -> bool:
+    """Return whether a ring is about a circle."""
+    return 4.0 * np.pi * abs(signed_area(ring.points)) >= ROUND * ring.length**2
 
 
 def alone_cost(line: PenLine) -> float:

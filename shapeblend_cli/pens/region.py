@@ -10,7 +10,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
 from shapeblend_cli.geometry.polyline import nearest_edges
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.pens.line import evenly
+from shapeblend_cli.pens.line import evenly, length
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,6 +51,9 @@ SLANT = 0.3
 
 MOST_SLANT = 0.07
 """Maximum area by which all cut ends of a region may, as a share of it."""
+
+LONG = 4.0
+"""Minimum length of a straight line with slanting ends, in widths: shorter ones are trapezoids."""
 
 MOST_REST = 0.3
 """Maximum share of a region that sticks out of its lines: a solid shape with lines beside it is an outline."""
@@ -324,8 +327,12 @@ def _has_corners(line: Stretch) -> bool:
 
 def _slanted(lines: Sequence[Stretch], area: float) -> float:
     """Return the largest share of a region that one line may leave or paint beyond it at cut ends."""
-    cuts = sum(end in ("butt", "cut") for end in lines[0].ends)
-    return min(MOST_SLANT, SLANT * cuts * lines[0].width ** 2 / max(area, 1e-9)) if len(lines) == 1 else 0.0
+    first = lines[0]
+    is_short = len(first.points) == 2 and length(first.points) < LONG * first.width
+    if len(lines) > 1 or is_short:
+        return 0.0
+    cuts = sum(end in ("butt", "cut") for end in first.ends)
+    return min(MOST_SLANT, SLANT * cuts * first.width**2 / max(area, 1e-9))
 
 
 def _cap_of(line: Stretch) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.blending.expanded import with_outlines
-from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.plates.inverted import growing, is_plain, paints_alike
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.interpolate.paths import with_curves
@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
+
+SHIPS = 1.5
+"""Minimum grade of the usual blend for gaps to be looked for."""
 
 LEAST_FILLED = 0.3
 """Minimum share of a hole that its island fills."""
@@ -65,7 +68,7 @@ def with_gaps_closed(
         gap, solid = _gap(own.contours), _solid(other.contours)
         if gap is None or solid is None or not _holds(solid[0], gap.island):
             continue
-        if any(_is_same(gap.hole, hole) for hole in solid[1:]) or grade_of_shapes(usual, view) <= FINE:
+        if any(_is_same(gap.hole, hole) for hole in solid[1:]) or grade_of_shapes(usual, view) < SHIPS:
             return usual
         shape = _closing(gap, solid, settings, here)
         same = paints_alike(shape, 0.0, a, view) and paints_alike(shape, 1.0, b, view)

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.blending.plates import gaps
 from shapeblend_cli.blending.plates.gaps import CLOSED
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.grading.painting import picture
@@ -19,6 +20,12 @@ RING, SOLID = filled(f"{PLATE} {HOLE} {ISLAND}"), filled(f"{PLATE} {SIGN}")
 def ink(pair, t):
     """Return the share of the view that is painted at a time."""
     return float(picture(shapes_at(pair, t), Box(0.0, 0.0, 24.0, 24.0))[3].mean())
+
+
+@pytest.fixture(autouse=True)
+def looked_for(monkeypatch):
+    """Look for gaps whatever the usual blend is like."""
+    monkeypatch.setattr(gaps, "SHIPS", 0.0)
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -39,3 +46,8 @@ def test_a_hole_that_stays_is_no_gap_that_closes():
 def test_two_islands_are_no_gap():
     islands = "M8 11H10V13H8Z M14 11H16V13H14Z"
     assert all(shape.reason != CLOSED for shape in blend(filled(f"{PLATE} {HOLE} {islands}"), SOLID).shapes)
+
+
+def test_a_usual_blend_that_can_ship_stays(monkeypatch):
+    monkeypatch.setattr(gaps, "SHIPS", 3.1)
+    assert all(shape.reason != CLOSED for shape in blend(RING, SOLID).shapes)
