@@ -4,8 +4,8 @@ Cython resolves ``import cython`` while it compiles, so compiled kernels never c
 where Cython is not installed: every declaration below then means nothing, and the code runs as plain Python.
 """
 
+from builtins import int as _whole
 from collections import namedtuple
-from math import trunc
 from typing import Any, Final
 
 compiled: Final = False
@@ -43,8 +43,8 @@ def _directive(*_settings: object, **_named: object) -> Any:
     return _unchanged
 
 
-const = int = bint = uchar = longlong = p_char = double = doublecomplex = void = _Type()
-Py_ssize_t = _Type()
+const = int = bint = uchar = ushort = p_char = double = doublecomplex = void = _Type()
+Py_ssize_t, longlong = _Type(), _Type()
 nogil = _Unlocked()
 
 cclass = final = cfunc = inline = _unchanged
@@ -56,8 +56,8 @@ def look_for_signals() -> None:
 
 
 def cast(new_type: object, value: Any) -> Any:
-    """Return the value as it is; as an index, without what lies behind the point."""
-    return trunc(value) if new_type is Py_ssize_t else value
+    """Return the value as it is; as an index or a long number, without what lies behind the point."""
+    return _whole(value) if new_type in (Py_ssize_t, longlong) else value
 
 
 def declare(_type: object = None, value: Any = None, **_variables: object) -> Any:

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.images.decode import as_png, encoded, pixels_of
-from shapeblend_cli.images.sampling import draw_triangles
-from shapeblend_cli.model import CubicPath, Picture
+from shapeblend_cli.images.sampling import Layer, draw_triangles
+from shapeblend_cli.model import Box, CubicPath, Picture
 
 if TYPE_CHECKING:
     from shapeblend_cli.images.bending import Mesh
-    from shapeblend_cli.model import Box, ComplexArray, FloatArray, Raster, UIntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, Raster, UIntArray
 
 OVERLAP = 0.04
 """Share by which triangles in documents are larger than they are, about their middles."""
@@ -41,27 +41,48 @@ class BentPicture(NamedTuple):
         every = zip(self.pictures, places, self.weights, strict=True)
         return [layer for layer in every if layer[2] > 0.0]
 
-    def drawn(self, view: Box, side: int) -> Picture:
-        """Return it as a picture of the whole view, of some pixels on the longer side."""
-        scale = side / view.larger_side
-        width, height = max(1, round(scale * view.width)), max(1, round(scale * view.height))
-        mesh = self.mesh
-        placed = scale * (mesh.points - complex(view.x, view.y))
-        target = np.zeros((height, width, 4), np.uint8)
+    @property
+    def box(self) -> Box:
+        """The box around it."""
+        return Box.around(self.mesh.points)
+
+    def pixels(self, corner: complex, scale: float, width: int, height: int) -> UIntArray:
+        """Return its pixels, premultiplied.
+
+        Parameters
+        ----------
+        corner : complex
+            Where the first pixel begins.
+        scale : float
+            Pixels in a unit of length.
+        width, height : int
+            Size in pixels.
+
+        Returns
+        -------
+        (height, width, 4) uint8
+        """
+        triangles = self.mesh.triangles
+        layers = []
         for picture, places, weight in self.layers:
             seen = scale * min(abs(picture.across), abs(picture.down))
             pixels = _premultiplied(picture.raster, 1 << max(round(seen) - 1, 1).bit_length())
             sources = places.real * pixels.shape[1] + 1j * places.imag * pixels.shape[0]
-            draw_triangles(
-                _pairs(placed[mesh.triangles]), _pairs(sources[mesh.triangles]), pixels, target, weight
-            )
+            layers.append(Layer(_pairs(sources[triangles]), pixels, weight))
+        corners = scale * (self.mesh.points - corner)
+        return draw_triangles(_pairs(corners[triangles]), layers, width, height)
+
+    def drawn(self, view: Box, side: int) -> Picture:
+        """Return it as a picture of the whole view, of some pixels on the longer side."""
         from PIL import Image
 
-        image = Image.frombuffer("RGBa", (width, height), target.tobytes(), "raw", "RGBa", 0, 1).convert(
-            "RGBA"
-        )
-        raster = encoded(image, self.pictures[0].raster)
-        return Picture(raster, complex(view.x, view.y), complex(width / scale), 1j * height / scale)
+        scale = side / view.larger_side
+        width, height = max(1, round(scale * view.width)), max(1, round(scale * view.height))
+        corner = complex(view.x, view.y)
+        pixels = self.pixels(corner, scale, width, height)
+        image = Image.frombuffer("RGBa", (width, height), pixels.tobytes(), "raw", "RGBa", 0, 1)
+        raster = encoded(image.convert("RGBA"), self.pictures[0].raster)
+        return Picture(raster, corner, complex(width / scale), 1j * height / scale)
 
     def triangles(self) -> list[tuple[float, list[tuple[Picture, CubicPath]]]]:
         """Return it as layers, each with its opacity: pictures, of which the inside of a triangle is seen."""

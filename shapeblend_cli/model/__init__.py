@@ -19,6 +19,7 @@ from shapeblend_cli.model.drawing import MOST_CONTOURS as MOST_CONTOURS
 from shapeblend_cli.model.drawing import MOST_SEGMENTS as MOST_SEGMENTS
 from shapeblend_cli.model.drawing import NORMAL as NORMAL
 from shapeblend_cli.model.drawing import UNNAMED as UNNAMED
+from shapeblend_cli.model.drawing import BentPicture as BentPicture
 from shapeblend_cli.model.drawing import Clip as Clip
 from shapeblend_cli.model.drawing import Contour as Contour
 from shapeblend_cli.model.drawing import CubicPath as CubicPath
@@ -242,16 +243,6 @@ class Bend(Protocol):
 
     def at(self, shape: ShapeBlend, t: float) -> BentPicture | None:
         """Return the picture of a shape at time t."""
-
-
-class BentPicture(Protocol):
-    """A bent picture at a time."""
-
-    def drawn(self, view: Box, side: int) -> Picture:
-        """Return it as a picture of a view, of some pixels on the longer side."""
-
-    def triangles(self) -> list[tuple[float, list[tuple[Picture, CubicPath]]]]:
-        """Return it as layers, each with its opacity: pictures, of which the inside of a triangle is seen."""
 
 
 class Fade(NamedTuple):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from shapeblend_cli.model.style import Content, Style
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model.arrays import BoolArray, ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model.arrays import BoolArray, ComplexArray, FloatArray, IntArray, UIntArray
     from shapeblend_cli.model.filters import Filter
 
 
@@ -40,6 +40,23 @@ class CubicPath:
     def is_point(self) -> bool:
         """Whether all control points coincide."""
         return bool((self.segments == self.segments[0, 0]).all())
+
+
+class BentPicture(Protocol):
+    """A bent picture at a time."""
+
+    @property
+    def box(self) -> Box:
+        """The box around it."""
+
+    def pixels(self, corner: complex, scale: float, width: int, height: int) -> UIntArray:
+        """Return its pixels, premultiplied, (height, width, 4): from a corner on, by their number in a unit."""
+
+    def drawn(self, view: Box, side: int) -> Picture:
+        """Return it as a picture of a view, of some pixels on the longer side."""
+
+    def triangles(self) -> list[tuple[float, list[tuple[Picture, CubicPath]]]]:
+        """Return it as layers, each with its opacity: pictures, of which the inside of a triangle is seen."""
 
 
 def control_box(paths: Sequence[CubicPath]) -> Box:

@@ -7,8 +7,9 @@ import math
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
+from shapeblend_cli.outputs.composed import Composed, draw_all
 from shapeblend_cli.outputs.formats import WHITE, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.pixels import Size, check_pixels, rasterize, read_png, size_of
+from shapeblend_cli.outputs.pixels import Size, check_pixels, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -42,7 +43,7 @@ def columns_for(count: int) -> int:
 
 
 def contact_sheet(
-    svgs: Sequence[str],
+    svgs: Sequence[str | Composed],
     cell: Size,
     columns: int | None = None,
     ground: str | None = WHITE,
@@ -61,10 +62,10 @@ def contact_sheet(
     step = Size(cell.width + gap, cell.height + gap)
     size = check_pixels(Size(columns * step.width + gap, rows * step.height + gap))
     sheet = Image.new("RGBA", size, page or CLEAR)
-    for k, svg in enumerate(svgs):
+    for k, drawn in enumerate(draw_all(svgs, cell)):
         x, y = gap + (k % columns) * step.width, gap + (k // columns) * step.height
         sheet.paste(ImageColor.getcolor(ground or CLEAR, "RGBA"), (x, y, x + cell.width, y + cell.height))
-        sheet.alpha_composite(read_png(rasterize(svg, cell)), (x, y))
+        sheet.alpha_composite(read_png(drawn), (x, y))
     return sheet.convert("RGB") if page and ground else sheet
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.easing import Knots, Timing
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.options.triggers import Trigger
+    from shapeblend_cli.outputs.composed import Composed
 
 STANDARD_OUTPUT = "-"
 
@@ -206,8 +207,11 @@ def page_of(pairs: Sequence[Pair]) -> Page:
     return common_page([pairs[0].pages[0], *(pair.pages[1] for pair in pairs)])
 
 
-class Documents(Sequence[str]):
-    """Frames as SVG documents without a size, each written when it is asked for: with pictures they are large."""
+class Documents(Sequence["str | Composed"]):
+    """Frames as SVG documents without a size, each written when it is asked for: with pictures they are large.
+
+    Frames with bent pictures are in parts, where they can be.
+    """
 
     def __init__(self, frames: Sequence[Frame], decimals: int, side: int) -> None:
         self._frames = frames
@@ -218,17 +222,23 @@ class Documents(Sequence[str]):
         return len(self._frames)
 
     @overload
-    def __getitem__(self, k: int) -> str: ...
+    def __getitem__(self, k: int) -> str | Composed: ...
 
     @overload
     def __getitem__(self, k: slice) -> Documents: ...
 
-    def __getitem__(self, k: int | slice) -> str | Documents:
+    def __getitem__(self, k: int | slice) -> str | Composed | Documents:
         from shapeblend_cli.svg.writing.document import frame_svg
 
         if isinstance(k, slice):
             return Documents(self._frames[k], self._decimals, self._side)
         frame = self._frames[k].picture
+        if any(shape.bent is not None for shape in frame.shapes):
+            from shapeblend_cli.outputs.composed import in_parts
+
+            parts = in_parts(frame, self._decimals, self._side)
+            if parts is not None:
+                return parts
         if any(map(_has_pictures, frame.shapes)):
             from shapeblend_cli.images.own_files import with_own_pictures  # few drawings have any
 

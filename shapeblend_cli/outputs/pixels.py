@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import io
+import struct
+import zlib
 from importlib import import_module
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.errors import InputError, PictureError, with_extra
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from PIL import Image
 
-    from shapeblend_cli.model import Box, Pair, PictureArray
+    from shapeblend_cli.model import Box, Pair, PictureArray, UIntArray
 
 MOST_SIDE = 16_383
 """Maximum side of a picture, in pixels: WebP has no larger ones."""
@@ -23,6 +25,12 @@ WIDEST_STROKE = 1e5
 
 MOST_PIXELS = 80_000_000
 """Maximum size of all pictures of a run together, in pixels of four bytes. Pillow warns of slightly larger pictures."""
+
+BAND = 1 << 18
+"""Number of pixels that are drawn together, about."""
+
+AVERAGE = 3
+"""Number of the filter of PNG files that takes the mean of the pixels on the left and above off each pixel."""
 
 
 class Size(NamedTuple):
@@ -100,6 +108,47 @@ def read_png(png: bytes) -> Image.Image:
     from PIL import Image
 
     return Image.open(io.BytesIO(png)).convert("RGBA")
+
+
+def bands(width: int, top: int, bottom: int) -> Iterator[tuple[int, int]]:
+    """Yield the first row, and the one after the last, of each part of a picture of about `BAND` pixels."""
+    rows = max(1, BAND // width)
+    for first in range(top, bottom, rows):
+        yield first, min(first + rows, bottom)
+
+
+def png_of(canvas: UIntArray) -> bytes:
+    """Return premultiplied pixels as a PNG.
+
+    Runs of equal bytes, after a filter, make photos as small as a search for repetitions does, in a tenth of the time.
+    """
+    import numpy as np
+    from PIL import Image
+
+    height, width = canvas.shape[:2]
+    packer = zlib.compressobj(1, zlib.DEFLATED, 15, 9, zlib.Z_RLE)
+    packed = []
+    above = np.zeros((1, 4 * width), np.uint8)
+    for first, last in bands(width, 0, height):
+        rows = canvas[first:last]
+        image = Image.frombuffer("RGBa", (width, last - first), rows.tobytes(), "raw", "RGBa", 0, 1)
+        plain = np.asarray(image.convert("RGBA")).reshape(last - first, -1)
+        up = np.concatenate([above, plain[:-1]])
+        left = np.zeros_like(plain)
+        left[:, 4:] = plain[:, :-4]
+        filtered = np.full((last - first, 4 * width + 1), AVERAGE, np.uint8)
+        np.subtract(plain, (left & up) + ((left ^ up) >> 1), out=filtered[:, 1:])
+        packed.append(packer.compress(filtered.tobytes()))
+        above = plain[-1:]
+    packed.append(packer.flush())
+    header = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    parts = ((b"IHDR", header), (b"IDAT", b"".join(packed)), (b"IEND", b""))
+    return b"\x89PNG\r\n\x1a\n" + b"".join(_part(*each) for each in parts)
+
+
+def _part(name: bytes, data: bytes) -> bytes:
+    """Return a part of a PNG file."""
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
 
 
 def pictures_in(file: str, side: int) -> list[PictureArray]:

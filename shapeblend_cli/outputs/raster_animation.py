@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.options.easing import Timing
+from shapeblend_cli.outputs.composed import Composed, draw_all
 from shapeblend_cli.outputs.formats import FASTEST, Documents, OutputSpec, Rendered, frame_svgs
-from shapeblend_cli.outputs.pixels import Size, check_libraries, rasterize, read_png, size_of
+from shapeblend_cli.outputs.pixels import Size, check_libraries, read_png, size_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -85,13 +86,13 @@ def run_for(fps: int | None, frames: int, pairs: int, timing: Timing) -> Run:
     return Run(pairs, max(1, math.floor(steps + 1e-9)), timing)
 
 
-def encode(spec: OutputSpec, svgs: Iterable[str], size: Size, run: Run) -> bytes:
+def encode(spec: OutputSpec, svgs: Iterable[str | Composed], size: Size, run: Run) -> bytes:
     """Return a GIF, a WebP or an animated PNG of documents from the first drawing to the last; see `rasterize`.
 
     A GIF needs a background.
     """
     kind = spec.format.name
-    pngs = [rasterize(svg, size, spec.ground) for svg in svgs]
+    pngs = [*draw_all(svgs, size, spec.ground)]
     pictures = (read_png(pngs[k]) for k in spec.counted(run.order(), "encoding"))
     runs = run.timing.repeat if isinstance(run.timing.repeat, int) else 0  # 0 is forever
     if kind == "gif":

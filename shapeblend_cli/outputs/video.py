@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError, PictureError
 from shapeblend_cli.outputs import pixels
+from shapeblend_cli.outputs.composed import draw_all
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered
-from shapeblend_cli.outputs.pixels import rasterize, size_of
+from shapeblend_cli.outputs.pixels import size_of
 from shapeblend_cli.outputs.raster_animation import run_of, svgs_of
 
 if TYPE_CHECKING:
@@ -77,7 +78,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the video."""
     run = run_of(spec)
     size = size_of(spec.width, pairs)
-    pngs = [rasterize(svg, size, spec.ground) for svg in spec.counted(svgs_of(spec, pairs, run))]
+    pngs = [*draw_all(spec.counted(svgs_of(spec, pairs, run)), size, spec.ground)]
     runs = spec.timing.repeat if isinstance(spec.timing.repeat, int) else 1
     rate = Fraction(run.pictures) / Fraction(run.seconds).limit_denominator(1000)
     order = [k for k in run.order() for _ in range(1 + round(run.rest_at(k) * rate))]

@@ -94,12 +94,10 @@ def test_a_format_without_pictures_needs_something_else_to_show(here, capsys):
 
 
 def test_what_draws_pixels_never_gets_the_files_of_others(files, monkeypatch):
-    from shapeblend_cli.outputs import frame_files, pixels
+    from shapeblend_cli.outputs import composed, pixels
 
     given = []
-    monkeypatch.setattr(
-        frame_files, "rasterize", lambda svg, *_: given.append(svg) or pixels.rasterize(svg, *_)
-    )
+    monkeypatch.setattr(composed, "rasterize", lambda svg, *_: given.append(svg) or pixels.rasterize(svg, *_))
     assert run(["a.svg", "b.svg", "--format", "png", "--ends", "-n", "3"]) == 0
     found = [data for text in given for data in pictures_in(text)]
     assert len(found) == 8
