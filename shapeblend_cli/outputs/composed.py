@@ -7,7 +7,7 @@ from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import lru_cache
 from itertools import groupby
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -19,12 +19,14 @@ from shapeblend_cli.outputs.pixels import Size, bands, png_of, rasterize, read_p
 from shapeblend_cli.svg.writing.document import frame_svg
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
     from shapeblend_cli.model import BentPicture, Box, Frame, PaintedShape, UIntArray
 
+T = TypeVar("T")
+
 MOST_AT_ONCE = 4
-"""Maximum number of frames that are drawn at the same time."""
+"""Maximum number of frames that are worked on at the same time."""
 
 MOST_KEPT = 1 << 22
 """Maximum size of a document's picture that is kept for the next frame, in pixels."""
@@ -72,6 +74,15 @@ def draw_all(documents: Iterable[str | Composed], size: Size, ground: str | None
             while drawn and (len(drawn) > MOST_AT_ONCE or isinstance(drawn[0], bytes)):
                 yield _result(drawn.popleft())
         yield from map(_result, drawn)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def at_once(act: Callable[[bytes], T], values: Iterable[bytes]) -> Iterator[T]:
+    """Yield what a function returns for values, in their order. It is called for several of them at the same time."""
+    pool = ThreadPoolExecutor(MOST_AT_ONCE)
+    try:
+        yield from pool.map(act, values)
     finally:
         pool.shutdown(cancel_futures=True)
 

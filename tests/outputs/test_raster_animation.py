@@ -9,6 +9,7 @@ from PIL import Image, ImageChops
 
 from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.outputs import raster_animation
 from shapeblend_cli.outputs.formats import WHITE
 from shapeblend_cli.outputs.options import OutputOptions, specify
 from shapeblend_cli.outputs.pixels import Size, rasterize, read_png
@@ -101,6 +102,25 @@ def test_a_gif_of_more_colours_than_it_can_have_stays_near_them_and_its_ground_w
     assert shown.getpixel((0, 0)) == (255, 255, 255)
     histogram = ImageChops.difference(shown, wanted).convert("L").histogram()
     assert sum(histogram[17:]) < 0.01 * sum(histogram)
+
+
+def test_photos_have_the_colours_they_have_and_in_a_gif_nearly(monkeypatch):
+    noise = '<filter id="f" x="0" y="0" width="1" height="1"><feTurbulence baseFrequency="0.4" seed="{}"/></filter>'
+    photos = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9">{noise.format(k)}'
+        '<path d="M0 0H9V9H0Z"/><path d="M0 0H9V9H0Z" filter="url(#f)"/></svg>'
+        for k in (1, 5)
+    ]
+    size, run = Size(400, 400), ONCE._replace(steps=1)
+    wanted = [read_png(rasterize(photo, size, WHITE)) for photo in photos]
+    assert wanted[1].getcolors(1000) is None
+    monkeypatch.setattr(raster_animation, "MOST_COLOURS", 1000)
+    shown = read_back(encode(spec_of("apng"), photos, size, run))[1]
+    assert [each.convert("RGBA").tobytes() for each in shown] == [each.tobytes() for each in wanted]
+    for each, like in zip(read_back(encode(spec_of("gif"), photos, size, run))[1], wanted, strict=True):
+        apart = np.asarray(each.convert("RGB"), int) - np.asarray(like.convert("RGB"), int)
+        assert np.abs(apart.mean(axis=(0, 1))).max() < 2.0
+        assert np.sqrt((apart**2).mean()) < 12.0
 
 
 @pytest.mark.parametrize("timing", [Timing, to_and_fro])
