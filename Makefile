@@ -31,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui ends judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -118,6 +118,9 @@ bench: install ## time the solver, whole commands and batches
 
 bench-stages: install npm ## time the stages of a plain blend in a warm process, beside other tools
 	$(BIN)/python -m tools.stages
+
+bench-bent: install ## time frames with bent pictures, in whole commands
+	$(BIN)/python -m tools.bent_pictures
 
 pictures: install npm ## draw the pictures of the documents, but for those of the studio
 	$(BIN)/python -m tools.pictures
