@@ -43,8 +43,8 @@ def _directive(*_settings: object, **_named: object) -> Any:
     return _unchanged
 
 
-const = int = bint = uchar = ushort = p_char = double = doublecomplex = void = _Type()
-Py_ssize_t, longlong = _Type(), _Type()
+const = int = bint = uchar = p_char = double = doublecomplex = void = _Type()
+Py_ssize_t, longlong, ulonglong = _Type(), _Type(), _Type()
 nogil = _Unlocked()
 
 cclass = final = cfunc = inline = _unchanged
@@ -57,7 +57,7 @@ def look_for_signals() -> None:
 
 def cast(new_type: object, value: Any) -> Any:
     """Return the value as it is; as an index or a long number, without what lies behind the point."""
-    return _whole(value) if new_type in (Py_ssize_t, longlong) else value
+    return _whole(value) if new_type in (Py_ssize_t, longlong, ulonglong) else value
 
 
 def declare(_type: object = None, value: Any = None, **_variables: object) -> Any:

@@ -23,6 +23,8 @@ else:
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from numpy.typing import NDArray
+
     from shapeblend_cli.model import FloatArray, UIntArray
 
 COMPILED = cython.compiled
@@ -74,8 +76,9 @@ def draw_triangles(corners: FloatArray, layers: Sequence[Layer], width: int, hei
     for sources, picture, weight in layers:
         maps = _maps(corners, np.ascontiguousarray(sources, np.float64))
         share = round(weight * (1 << 15))
+        pixels = _in_words(picture.astype(np.uint16))
         for first, last in _rounds(height, width):
-            _add(np.ascontiguousarray(picture), share, maps, triangles[first:last], sums[first:last], first)
+            _add(pixels, share, maps, triangles[first:last], _in_words(sums[first:last]), first)
     drawn: UIntArray = (sums >> 8).astype(np.uint8)
     return drawn
 
@@ -99,6 +102,11 @@ def lay_over(target: UIntArray, layer: UIntArray, mask: UIntArray, left: int, to
         _lay(
             target[top + first : top + last], np.ascontiguousarray(layer[first:last]), mask[first:last], left
         )
+
+
+def _in_words(values: NDArray[np.uint16]) -> NDArray[np.uint64]:
+    """Return a view of (h, w, 4) colours as (h, w) words: sums and products of four colours take one step."""
+    return values.view(np.uint64)[:, :, 0]
 
 
 def _rounds(height: int, width: int) -> Iterator[tuple[int, int]]:
@@ -206,14 +214,17 @@ def _until(last: cython.double, slope: cython.double, value: cython.double) -> c
 
 
 def _add(
-    picture: cython.uchar[:, :, ::1],
+    picture: cython.ulonglong[:, ::1],
     share: cython.int,
     maps: cython.double[:, ::1],
     triangles: cython.int[:, ::1],
-    sums: cython.ushort[:, :, ::1],
+    sums: cython.ulonglong[:, ::1],
     top: cython.Py_ssize_t,
 ) -> None:
-    """Add a picture, its share in 2**15ths, to sums in 256ths of a colour, in rows from `top` on."""
+    """Add a picture, its share in 2**15ths, to sums in 256ths of a colour, in rows from `top` on.
+
+    A word has the four colours of a pixel, of 16 bits each.
+    """
     row: cython.Py_ssize_t
     width: cython.Py_ssize_t = triangles.shape[1]
     with cython.nogil:
@@ -235,12 +246,12 @@ def _add(
 @cython.nogil
 @cython.exceptval(check=False)
 def _add_run(
-    picture: cython.uchar[:, :, ::1],
+    picture: cython.ulonglong[:, ::1],
     share: cython.int,
     own: cython.double[::1],
     x: cython.double,
     y: cython.double,
-    sums: cython.ushort[:, ::1],
+    sums: cython.ulonglong[::1],
 ) -> cython.void:
     """Add what a picture has along a row, between its pixels; nothing where that is beyond its edge."""
     height: cython.Py_ssize_t = picture.shape[0]
@@ -262,8 +273,9 @@ def _add_run(
     step_y: cython.longlong = _place(dy) if begin < end else 0
     most_x: cython.longlong = cython.cast(cython.longlong, width - 1) << 32
     most_y: cython.longlong = cython.cast(cython.longlong, height - 1) << 32
+    every_other: cython.ulonglong = 0x0000FFFF0000FFFF
+    half: cython.ulonglong = 0x0000400000004000
     k: cython.Py_ssize_t
-    n: cython.Py_ssize_t
     for k in range(cython.cast(cython.Py_ssize_t, begin), cython.cast(cython.Py_ssize_t, end) + 1):
         at_x: cython.longlong = min(max(place_x, 0), most_x)
         at_y: cython.longlong = min(max(place_y, 0), most_y)
@@ -273,11 +285,17 @@ def _add_run(
         y1: cython.Py_ssize_t = min(y0 + 1, height - 1)
         u: cython.int = (at_x >> 24) & 255
         v: cython.int = (at_y >> 24) & 255
-        for n in range(4):
-            upper: cython.int = _mean(picture[y0, x0, n], picture[y0, x1, n], u)
-            lower: cython.int = _mean(picture[y1, x0, n], picture[y1, x1, n], u)
-            value: cython.int = (upper * (256 - v) + lower * v + 128) >> 8
-            sums[k, n] += (value * share + (1 << 14)) >> 15
+        # The shares of four pixels are 256 together, so that no colour runs into the next one.
+        both: cython.int = (u * v + 128) >> 8
+        value: cython.ulonglong = (
+            _word(picture[y0, x0]) * (256 - u - v + both)
+            + _word(picture[y0, x1]) * (u - both)
+            + _word(picture[y1, x0]) * (v - both)
+            + _word(picture[y1, x1]) * both
+        )
+        even: cython.ulonglong = (((value & every_other) * share + half) >> 15) & every_other
+        odd: cython.ulonglong = ((((value >> 16) & every_other) * share + half) >> 15) & every_other
+        sums[k] = _word(sums[k]) + even + (odd << 16)
         place_x += step_x
         place_y += step_y
 
@@ -286,9 +304,9 @@ def _add_run(
 @cython.inline
 @cython.nogil
 @cython.exceptval(check=False)
-def _mean(one: cython.uchar, other: cython.uchar, share: cython.int) -> cython.int:
-    """Return 256 times the mean of two colours, of which the other one has a share in 256ths."""
-    return _number(one) * (256 - share) + _number(other) * share
+def _word(value: cython.ulonglong) -> cython.ulonglong:
+    """Return a word as what it is, also uncompiled."""
+    return cython.cast(cython.ulonglong, value)
 
 
 @cython.cfunc
@@ -326,6 +344,10 @@ def _lay(
                     continue
                 own: cython.int = _number(layer[row, column, 3])
                 through: cython.int = 65025 - share * own
+                if through == 0:
+                    for n in range(4):
+                        target[row, left + column, n] = layer[row, column, n]
+                    continue
                 for n in range(4):
                     own = _number(layer[row, column, n])
                     below: cython.int = _number(target[row, left + column, n])
