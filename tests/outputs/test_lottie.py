@@ -126,6 +126,12 @@ def test_paint():
     assert (stroke["lc"], stroke["lj"], stroke["ml"]) == (2, 3, 4)
 
 
+def test_dashes_have_more_decimals_than_coordinates():
+    dashed = Style(None, stroke="#000000", stroke_dasharray=(0.325123, 2.0), stroke_dashoffset=1.987654)
+    _, items = of(SQUARE, SQUARE, dashed, dashed)
+    assert [part["v"]["k"] for part in items["st"]["d"]] == [0.325123, 2, 1.987654]
+
+
 def test_dashes_and_gaps_in_turn():
     dashed = Style(None, stroke="#000000", stroke_dasharray=(4.0, 2.0), stroke_dashoffset=1.0)
     _, items = of(SQUARE, SQUARE, dashed, dashed._replace(stroke_dasharray=(6.0, 2.0)))

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 from shapeblend_cli.outputs.lottie.image_layers import FRAME_RATE, Assets, masks_of
 from shapeblend_cli.outputs.lottie.keyframes import Keyframes, constant, rounded
+from shapeblend_cli.svg.writing.rounding import DASH_DIGITS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -144,7 +145,8 @@ def _dashes(shape: MovedShape, keys: Keyframes) -> dict[str, Any]:
         return {}
 
     def length(k: int) -> Callable[[Style], float]:
-        return lambda style: rounded((*style.stroke_dasharray, style.stroke_dashoffset)[k], keys.decimals)
+        decimals = keys.decimals + DASH_DIGITS
+        return lambda style: rounded((*style.stroke_dasharray, style.stroke_dashoffset)[k], decimals)
 
     kinds = [*("dg"[k % 2] for k in range(len(start.stroke_dasharray))), "o"]
     # Players need names of their own.

@@ -31,7 +31,7 @@ from shapeblend_cli.model import (
 from shapeblend_cli.model.words import Words
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
-from shapeblend_cli.svg.writing.rounding import number
+from shapeblend_cli.svg.writing.rounding import DASH_DIGITS, number
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.writing.groups import Filters
@@ -116,9 +116,10 @@ def paint_attributes(style: Style, decimals: int) -> dict[str, str]:
         paint["stroke_linecap"] = style.stroke_linecap
         paint["stroke_linejoin"] = style.stroke_linejoin
         paint["stroke_miterlimit"] = number(style.stroke_miterlimit, 4)
-        dashes = " ".join(number(length, decimals) for length in style.stroke_dasharray)
-        paint["stroke_dasharray"] = dashes or "none"
-        paint["stroke_dashoffset"] = number(style.stroke_dashoffset, decimals) if dashes else "0"
+        lengths = [*style.stroke_dasharray, style.stroke_dashoffset]
+        *dashes, offset = (number(length, decimals + DASH_DIGITS) for length in lengths)
+        paint["stroke_dasharray"] = " ".join(dashes) or "none"
+        paint["stroke_dashoffset"] = offset if dashes else "0"
         paint["paint_order"] = style.paint_order if style.fill is not None else "normal"
         paint["vector_effect"] = "none" if style.pixel is None else "non-scaling-stroke"
     return paint

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 
 ROUNDING = 4e-5  # how far rounding may move a point, as a share of what is shown
 
+DASH_DIGITS = 2
+"""Number of further decimals of dashes and gaps: along a line their errors add up."""
+
 LARGEST = 2.0**62
 """Minimum number of units that no machine's integer is sure to hold, nor a difference of two."""
 
