@@ -7,6 +7,7 @@ from collections import deque
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import lru_cache
 from itertools import groupby
+from threading import Event
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
@@ -15,7 +16,7 @@ from shapeblend_cli.images.coverage import coverage
 from shapeblend_cli.images.own_files import with_own_pictures
 from shapeblend_cli.images.sampling import BEYOND, lay_over
 from shapeblend_cli.model import NORMAL
-from shapeblend_cli.outputs.pixels import Size, bands, png_of, rasterize, read_png
+from shapeblend_cli.outputs.pixels import NEVER, Size, bands, png_of, rasterize, read_png
 from shapeblend_cli.svg.writing.document import frame_svg
 
 if TYPE_CHECKING:
@@ -63,18 +64,19 @@ def draw(document: str | Composed, size: Size, ground: str | None = None) -> byt
 
 def draw_all(documents: Iterable[str | Composed], size: Size, ground: str | None = None) -> Iterator[bytes]:
     """Yield documents as PNGs; see `rasterize`. Frames in parts are drawn at the same time."""
-    pool = ThreadPoolExecutor(MOST_AT_ONCE)
+    pool, over = ThreadPoolExecutor(MOST_AT_ONCE), Event()
     drawn: deque[bytes | Future[bytes]] = deque()
     try:
         for document in documents:
             if isinstance(document, str):
                 drawn.append(rasterize(document, size, ground))  # resvg keeps other threads from running
             else:
-                drawn.append(pool.submit(draw, document, size, ground))
+                drawn.append(pool.submit(compose, document, size, ground, over))
             while drawn and (len(drawn) > MOST_AT_ONCE or isinstance(drawn[0], bytes)):
                 yield _result(drawn.popleft())
         yield from map(_result, drawn)
     finally:
+        over.set()
         pool.shutdown(cancel_futures=True)
 
 
@@ -91,8 +93,8 @@ def _result(drawn: bytes | Future[bytes]) -> bytes:
     return drawn if isinstance(drawn, bytes) else drawn.result()
 
 
-def compose(frame: Composed, size: Size, ground: str | None = None) -> bytes:
-    """Return a frame as a PNG; see `rasterize`."""
+def compose(frame: Composed, size: Size, ground: str | None = None, over: Event = NEVER) -> bytes:
+    """Return a frame as a PNG; see `rasterize`, and `bands` for `over`."""
     canvas = np.zeros((size.height, size.width, 4), np.uint8)
     if ground is not None:
         from PIL import ImageColor
@@ -106,16 +108,16 @@ def compose(frame: Composed, size: Size, ground: str | None = None) -> bytes:
     for part in frame.parts:
         if isinstance(part, str):
             drawn = (_kept if size.width * size.height <= MOST_KEPT else _drawn)(part, size)
-            for first, last in bands(size.width, 0, size.height):
+            for first, last in bands(size.width, 0, size.height, over):
                 mask = np.full((last - first, size.width), 255, np.uint8)
                 lay_over(canvas, drawn[first:last], mask, 0, first)
         elif part.bent is not None:
-            _lay_bent(canvas, part, part.bent, corner, scale)
-    return png_of(canvas)
+            _lay_bent(canvas, part, part.bent, corner, scale, over)
+    return png_of(canvas, over)
 
 
 def _lay_bent(
-    canvas: UIntArray, shape: PaintedShape, bent: BentPicture, corner: complex, scale: float
+    canvas: UIntArray, shape: PaintedShape, bent: BentPicture, corner: complex, scale: float, over: Event
 ) -> None:
     """Lay the bent picture of a shape over what is drawn so far."""
     height, width = canvas.shape[:2]
@@ -124,7 +126,7 @@ def _lay_bent(
     top, bottom = max(math.floor(near.imag - BEYOND), 0), min(math.ceil(far.imag + BEYOND), height)
     if left >= right:
         return
-    for first, last in bands(right - left, top, bottom):
+    for first, last in bands(right - left, top, bottom, over):
         place = corner + complex(left, first) / scale
         mask = coverage(shape.clips, place, scale, right - left, last - first)
         drawn = bent.pixels(place, scale, right - left, last - first)

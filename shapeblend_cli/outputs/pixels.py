@@ -6,6 +6,7 @@ import io
 import struct
 import zlib
 from importlib import import_module
+from threading import Event
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.errors import InputError, PictureError, with_extra
@@ -31,6 +32,10 @@ BAND = 1 << 18
 
 AVERAGE = 3
 """Number of the filter of PNG files that takes the mean of the pixels on the left and above off each pixel."""
+
+
+NEVER = Event()
+"""Event that does not happen."""
 
 
 class Size(NamedTuple):
@@ -110,15 +115,20 @@ def read_png(png: bytes) -> Image.Image:
     return Image.open(io.BytesIO(png)).convert("RGBA")
 
 
-def bands(width: int, top: int, bottom: int) -> Iterator[tuple[int, int]]:
-    """Yield the first row, and the one after the last, of each part of a picture of about `BAND` pixels."""
+def bands(width: int, top: int, bottom: int, over: Event = NEVER) -> Iterator[tuple[int, int]]:
+    """Yield the first row, and the one after the last, of each part of a picture of about `BAND` pixels.
+
+    There are no more once nobody waits for the picture, as `over` says.
+    """
     rows = max(1, BAND // width)
     for first in range(top, bottom, rows):
+        if over.is_set():
+            return
         yield first, min(first + rows, bottom)
 
 
-def png_of(canvas: UIntArray) -> bytes:
-    """Return premultiplied pixels as a PNG.
+def png_of(canvas: UIntArray, over: Event = NEVER) -> bytes:
+    """Return premultiplied pixels as a PNG; see `bands` for `over`.
 
     Runs of equal bytes, after a filter, make photos as small as a search for repetitions does, in a tenth of the time.
     """
@@ -129,7 +139,7 @@ def png_of(canvas: UIntArray) -> bytes:
     packer = zlib.compressobj(1, zlib.DEFLATED, 15, 9, zlib.Z_RLE)
     packed = []
     above = np.zeros((1, 4 * width), np.uint8)
-    for first, last in bands(width, 0, height):
+    for first, last in bands(width, 0, height, over):
         rows = canvas[first:last]
         image = Image.frombuffer("RGBa", (width, last - first), rows.tobytes(), "raw", "RGBa", 0, 1)
         plain = np.asarray(image.convert("RGBA")).reshape(last - first, -1)

@@ -1,6 +1,7 @@
 """Frames with bent pictures, composed of these and of documents."""
 
 import io
+from threading import Event
 
 import numpy as np
 import pytest
@@ -129,6 +130,15 @@ def test_documents_and_frames_in_parts_keep_their_order():
 
 def test_what_goes_wrong_while_drawing_is_raised(monkeypatch):
     parts = in_parts(frame(clipped(DISC, checkerboard()), clipped(HEART, face())), 3, 40)
-    monkeypatch.setattr("shapeblend_cli.outputs.composed.png_of", lambda _: 1 // 0)
+    monkeypatch.setattr("shapeblend_cli.outputs.composed.png_of", lambda *_: 1 // 0)
     with pytest.raises(ZeroDivisionError):
         list(draw_all([parts] * 9, Size(40, 40)))
+
+
+def test_frames_that_nobody_waits_for_are_not_drawn_on(monkeypatch):
+    parts = in_parts(frame(clipped(DISC, checkerboard()), clipped(HEART, face())), 3, 40)
+    monkeypatch.setattr(pixels, "BAND", 40)
+    over, looks = Event(), []
+    monkeypatch.setattr("shapeblend_cli.outputs.composed.lay_over", lambda *_: looks.append(1) or over.set())
+    compose(parts, Size(40, 40), None, over)
+    assert looks == [1]
