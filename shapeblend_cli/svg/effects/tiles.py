@@ -80,7 +80,7 @@ def _given(links: Sequence[Node], name: str) -> str:
 def pattern_of(
     links: Sequence[Node], matrix: Affine, box: Box, lengths: Lengths, draw: Draw, fit: Fit
 ) -> Pattern | None:
-    """Return a chain of patterns as one pattern in the root's coordinates; None if it paints nothing, or too much.
+    """Return a chain of patterns as one pattern in the root's coordinates; None if not all of it can be drawn.
 
     The `matrix` maps the shape's coordinates to the root's; the `box` is around the shape, without its stroke.
     """
@@ -112,7 +112,7 @@ def pattern_of(
     elif given("patternContentUnits").strip() == "objectBoundingBox":
         inner = Affine(box.width, 0.0, 0.0, box.height)
     shapes = draw(holder, inner or IDENTITY, lengths)
-    return _placed(content_of(shapes), (width, height), matrix) if shapes else None
+    return None if shapes is None else _placed(content_of(shapes), (width, height), matrix)
 
 
 def _placed(content: Content, size: tuple[float, float], matrix: Affine) -> Pattern:

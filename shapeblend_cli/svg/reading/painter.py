@@ -46,6 +46,19 @@ class Painter:
         self._stops: dict[int, tuple[Stop, ...]] = {}
         self._stops_read = 0
         self._parents: dict[int, Node] = {}
+        self._within: tuple[Node, ...] = ()  # the patterns and masks that are being drawn, the innermost last
+        self._closing: set[tuple[int, int]] = set()  # see `circles.closing`
+
+    def within(self, node: Node, draw: Draw) -> Painter:
+        """Return a painter of what is in a pattern or a mask."""
+        from shapeblend_cli.svg.effects import circles
+
+        inner = Painter(self._root, self._ids, self._cascade, self._notes, draw)
+        inner._within = (*self._within, node)
+        inner._closing = (
+            self._closing if self._within else circles.closing(self._root, self._ids, self._cascade)
+        )
+        return inner
 
     def style(self, inherited: Inherited, opacity: float, scale: float, lengths: Lengths) -> Style:
         """Return the style of a shape, with plain colours in place of gradients and patterns.
@@ -139,6 +152,8 @@ class Painter:
         if found is None:
             self._notes.add(_STAND_IN)
             return style
+        if not found.content.shapes:
+            return style._replace(fill=None) if name == "fill" else style._replace(stroke=None)
         fill, stroke = style.paints
         if name == "fill":
             return style.painted(Paint(tiles.colour_of(found) or fill.colour, fill.opacity, found), stroke)
@@ -152,7 +167,7 @@ class Painter:
     def _fallback(self, given: colours.Paint) -> colours.Paint | None:
         """Return a paint server's fallback if that is painted: in place of a missing server."""
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        return None if given.fallback is None or _paints(server, self._ids) else given.fallback
+        return None if given.fallback is None or self._paints(server) else given.fallback
 
     def _colour(self, given: colours.Paint, inherited: Inherited) -> tuple[str | None, float]:
         """Return the plain colour that stands for a paint, and its opacity."""
@@ -166,11 +181,21 @@ class Painter:
         if fallback is not None:
             return self._colour(fallback, inherited)
         server = self._ids.get(given.link[1:]) if given.link.startswith("#") else None
-        if not _paints(server, self._ids):
+        if not self._paints(server):
             return None, 1.0  # as in browsers
         stops = self._stops_of(_chain(given.link, self._ids))
         # A gradient's first colour, opaque: a later stop may well be.
         return colours.Colour(stops[0].colour) if stops else colours.BLACK
+
+    def _paints(self, server: Node | None) -> bool:
+        """Return whether a paint server is there, and no pattern that has no tile or would be drawn in itself."""
+        if server is None or server.tag in _GRADIENTS:
+            return server is not None
+        from shapeblend_cli.svg.effects import circles, tiles
+
+        if server.tag != "pattern" or not tiles.has_tile(tiles.chain(server, self._ids)):
+            return False
+        return not circles.is_closed(server, self._within, self._closing, self._ids)
 
     def _stops_of(self, links: list[Node]) -> tuple[Stop, ...]:
         """Return the stops of the first gradient in a chain that has any."""
@@ -193,15 +218,6 @@ class Painter:
         while id(path[-1]) in self._parents:
             path.append(self._parents[id(path[-1])])
         return in_force(self._cascade, reversed(path), self._notes.add)
-
-
-def _paints(server: Node | None, ids: Mapping[str, Node]) -> bool:
-    """Return whether a paint server is there, and not a pattern that has no tile."""
-    if server is None or server.tag in _GRADIENTS:
-        return server is not None
-    from shapeblend_cli.svg.effects import tiles
-
-    return server.tag == "pattern" and tiles.has_tile(tiles.chain(server, ids))
 
 
 def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:

@@ -279,16 +279,14 @@ class Walk:
         inner = copy(self)
         inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
         inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content)
-        inner._painter = Painter(self._root, self._ids, self._cascade, self._notes, inner._content)
+        inner._painter = self._painter.within(node, inner._content)
         inner._shapes, inner._stack = [], [_Visit(node, matrix, around, 1.0, lengths, used=(node,))]
         while inner._stack:
             inner._process(inner._stack.pop())
         shapes = inner._layers.finish(inner._shapes, None, covers)
         self._segments, self._contents = inner._segments, inner._contents
         self._visits_by_use, self._images = inner._visits_by_use, inner._images
-        found = None if self._notes.left_out > before else shapes
-        self._known_contents[key] = found
-        return found
+        return self._known_contents.setdefault(key, None if self._notes.left_out > before else shapes)
 
     def _box(self, visit: _Visit, declared: Declarations) -> Box | None:
         """Return the box around a shape or a picture, in its own coordinates."""
@@ -362,8 +360,7 @@ class Walk:
         ]
         if not placed:
             return "without extent"
-        index = self._painted
-        self._painted += 1
+        index, self._painted = self._painted, self._painted + 1
         name = clean(node.get("id") or visit.use_id)
         if not visit.chosen:
             if name and len(self._other_names) < _MAX_NAMES:
@@ -377,6 +374,9 @@ class Walk:
         if picture is None:
             span = whole or own_contours
             style = self._painter.with_gradients(style, visit.inherited, span, visit.matrix, visit.lengths)
+        if style.fill is None and style.stroke is None:
+            self._painted = index
+            return "with neither fill nor stroke"  # but a pattern in which nothing is drawn
         if style.stroke_dasharray and node.get("pathLength") is not None:
             self._notes.add("pathLength not applied to dashes")
         called = name_of(node) if letters is None else Name(label=clean(letters))

@@ -206,11 +206,77 @@ NESTED = "".join(
 )
 
 
-def test_patterns_and_masks_in_each_other_are_bounded(monkeypatch):
-    drawing = drawn(
-        f'<pattern id="p" width="9" height="9" patternUnits="userSpaceOnUse">{FILLED}</pattern>{FILLED}'
+def cell(name, paint, more=""):
+    """A pattern that is red on the left and painted otherwise on the right."""
+    return (
+        f'<pattern id="{name}" width="8" height="8" patternUnits="userSpaceOnUse" {more}>'
+        f'<rect width="4" height="8" fill="red"/><rect x="4" width="4" height="8" fill="{paint}"/></pattern>'
     )
-    assert "patterns and masks in each other deeper than 4 left out" in drawing.notes[0]
+
+
+def fills(drawing, *path):
+    """The fills in the pattern of the first shape, or in one within it: where its shapes are filled."""
+    content = drawing.shapes[0].style.fill_gradient.content
+    for k in path:
+        content = content.shapes[k].style.fill_gradient.content
+    return [shape.style.fill for shape in content.shapes]
+
+
+def used(name):
+    return f'<rect width="60" height="40" fill="url(#{name})"/>'
+
+
+# As Chromium draws them.
+@pytest.mark.parametrize(
+    ("markup", "path", "wanted"),
+    [
+        (cell("p", "url(#p)") + used("p"), (), ["#ff0000"]),
+        (cell("p", "url(#p) lime") + used("p"), (), ["#ff0000", "#00ff00"]),
+        (cell("p", "blue", 'fill="url(#p)"').replace('fill="blue"', "") + used("p"), (), ["#ff0000"]),
+        # Of references in a circle the last one in the file does not count, wherever it is drawn.
+        (cell("p", "url(#q)") + cell("q", "url(#p)") + used("p"), (1,), ["#ff0000"]),
+        (cell("p", "url(#q)") + cell("q", "url(#p)") + used("q"), (), ["#ff0000"]),
+        (cell("p", "url(#q)") + cell("q", "url(#p) lime") + used("q"), (), ["#ff0000", "#00ff00"]),
+        (cell("p", "url(#q)") + cell("q", "url(#r)") + cell("r", "url(#p)") + used("r"), (), ["#ff0000"]),
+        (cell("p", "url(#q)") + cell("q", "url(#r)") + cell("r", "url(#p)") + used("p"), (1, 1), ["#ff0000"]),
+        (f'<pattern id="a" href="#p" width="4"/>{cell("p", "url(#a)")}{used("p")}', (), ["#ff0000"]),
+        # Those that only share another one are in no circle.
+        (
+            cell("p", "url(#r)") + cell("q", "url(#p)") + cell("r", "lime") + used("q"),
+            (1, 1),
+            ["#ff0000", "#00ff00"],
+        ),
+    ],
+)
+def test_patterns_are_not_drawn_in_themselves(markup, path, wanted):
+    drawing = drawn(markup)
+    assert fills(drawing, *path) == wanted
+    assert drawing.notes == ()
+
+
+def test_a_shape_that_is_in_its_own_pattern_is_drawn_without_itself():
+    circle = '<circle id="c" cx="4" cy="4" r="4" fill="url(#p)"/>'
+    pattern = f'<pattern id="p" width="8" height="8" patternUnits="userSpaceOnUse">{circle}{BOX}</pattern>'
+    drawing = drawn(f'{pattern}<use href="#c"/>')
+    assert len(drawing.shapes) == len(fills(drawing)) == 1
+    assert drawing.notes == ()
+
+
+@pytest.mark.parametrize(
+    "inner", ['<rect width="9" height="9" fill="none"/>', '<rect width="9" height="9" fill="url(#p)"/>']
+)
+def test_a_pattern_in_which_nothing_is_drawn_paints_nothing(inner):
+    pattern = f'<pattern id="p" width="9" height="9" patternUnits="userSpaceOnUse">{inner}</pattern>'
+    lined = used("p").replace("/>", ' stroke="red"/>')
+    drawing = drawn(pattern + used("p") + lined + BOX)
+    assert [(shape.style.fill is None, shape.style.stroke) for shape in drawing.shapes] == [
+        (True, "#ff0000"),
+        (False, drawing.shapes[1].style.stroke),
+    ]
+    refused(pattern + used("p"), "no painted shape")
+
+
+def test_patterns_and_masks_in_each_other_are_bounded(monkeypatch):
     drawing = drawn(f'<mask id="m"><g mask="url(#m)">{BOX}</g></mask>{MASKED}')
     assert "deeper than 4 left out" in drawing.notes[0]
     drawing = drawn(f'{NESTED}<rect width="9" height="9" fill="url(#p0)"/>')
