@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.images.decode import as_png
-from shapeblend_cli.model import Content, Pattern, Picture, Style
+from shapeblend_cli.model import Content, Pattern, Picture, Raster, Step, Style
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Effect, Filling, Frame, PaintedShape
@@ -48,7 +48,12 @@ def _filling(paint: Filling | None, scale: float) -> Filling | None:
 
 
 def _masked(effect: Effect, scale: float) -> Effect:
-    if effect.mask is None or not effect.has_pictures:
+    if not effect.has_pictures:
+        return effect
+    if effect.filter is not None and effect.filter.has_pictures:
+        steps = tuple(_shown(step, scale) for step in effect.filter.steps)
+        effect = effect._replace(filter=effect.filter._replace(steps=steps))
+    if effect.mask is None:
         return effect
     layers = tuple(
         layer
@@ -57,6 +62,13 @@ def _masked(effect: Effect, scale: float) -> Effect:
         for layer in effect.mask.layers
     )
     return effect._replace(mask=effect.mask._replace(layers=layers))
+
+
+def _shown(step: Step, scale: float) -> Step:
+    if not isinstance(step.image, Raster) or step.region is None:
+        return step
+    seen = scale * max(step.region.width, step.region.height)
+    return step._replace(image=as_png(step.image, 1 << max(round(seen) - 1, 1).bit_length()))
 
 
 def _content(content: Content, scale: float) -> Content:

@@ -38,6 +38,7 @@ from shapeblend_cli.model.filters import ALPHA as ALPHA
 from shapeblend_cli.model.filters import SOURCE as SOURCE
 from shapeblend_cli.model.filters import Filter as Filter
 from shapeblend_cli.model.filters import Step as Step
+from shapeblend_cli.model.filters import View as View
 from shapeblend_cli.model.picture import Picture as Picture
 from shapeblend_cli.model.picture import Pose as Pose
 from shapeblend_cli.model.picture import Raster as Raster

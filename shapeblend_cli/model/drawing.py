@@ -122,7 +122,9 @@ class Effect(NamedTuple):
 
     @property
     def has_pictures(self) -> bool:
-        """Whether its mask has some."""
+        """Whether its mask or its filter has some."""
+        if self.filter is not None and self.filter.has_pictures:
+            return True
         layers = () if self.mask is None else self.mask.layers
         return any(layer.content is not None and layer.content.has_pictures for layer in layers)
 

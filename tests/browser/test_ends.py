@@ -10,7 +10,7 @@ RECT = '<path d="M3.3 4.2H20V19H3.3Z" fill="#c02020"/>'
 FILES = {
     "rect": (svg(RECT), True),
     "unsized": (svg(RECT).replace('viewBox="0 0 24 24"', 'width="24" height="20"'), True),
-    # Pictures in filters are not drawn.
+    # A group that its own filter shows is not drawn in it.
     "flooded": (
         svg(f'<filter id="f"><feImage href="#r"/></filter><g filter="url(#f)" id="r">{RECT}</g>'),
         False,

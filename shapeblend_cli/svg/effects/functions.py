@@ -17,7 +17,7 @@ from shapeblend_cli.svg.xml.units import length
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.svg.effects.primitives import Units
+    from shapeblend_cli.svg.effects.placed import Units
     from shapeblend_cli.svg.styles.cascade import Inherited
 
 MOST = 16

@@ -192,7 +192,7 @@ class Layers:
     def _filter(self, given: Given, inside: Sequence[Shape], frame: Box) -> Filter | None:
         """Return the filter of an element, all that it lists in one; None if it cannot be applied."""
         from shapeblend_cli.svg.effects import functions
-        from shapeblend_cli.svg.effects.primitives import Units
+        from shapeblend_cli.svg.effects.placed import Units
 
         listed = functions.calls(given.filter)
         if listed is None:
@@ -218,7 +218,9 @@ class Layers:
     def _linked(self, arguments: Sequence[str], given: Given, inside: Sequence[Shape]) -> Filter | None:
         """Return the filter that is the element of a link; None if there is none, or one that is not known."""
         from shapeblend_cli.svg.effects import tiles
-        from shapeblend_cli.svg.effects.primitives import MOST_STEPS, SPACE, Steps, Units
+        from shapeblend_cli.svg.effects.images import Shown
+        from shapeblend_cli.svg.effects.placed import Units
+        from shapeblend_cli.svg.effects.primitives import MOST_STEPS, SPACE, Steps
 
         link = arguments[0].strip() if arguments else ""
         node = self._ids.get(link[1:]) if link.startswith("#") else None
@@ -230,7 +232,8 @@ class Layers:
         if region is None or (in_box and box is None):
             return None
         units = Units(given.matrix, box if in_box else None, given.lengths)
-        steps = Steps(units, self._cascade, given.inherited, self._notes)
+        shown = Shown(region, self._ids, self._draw)
+        steps = Steps(units, self._cascade, given.inherited, self._notes, shown)
         space = self._cascade.declared(node, keep=True).get(SPACE, "linearRGB").strip()
         for child in node.children:
             if len(steps.found) >= MOST_STEPS:

@@ -5,7 +5,7 @@ https://www.w3.org/TR/filter-effects-1/
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,12 +14,13 @@ from shapeblend_cli.svg.styles import css_colours as colours
 from shapeblend_cli.svg.styles.cascade import share
 from shapeblend_cli.svg.styles.declarations import substitute
 from shapeblend_cli.svg.xml.messages import Notes
-from shapeblend_cli.svg.xml.transforms import Affine
-from shapeblend_cli.svg.xml.units import GrammarError, Lengths, length, numbers
+from shapeblend_cli.svg.xml.units import GrammarError, length, numbers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.svg.effects.images import Shown
+    from shapeblend_cli.svg.effects.placed import Units
     from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.styles.declarations import Declarations
     from shapeblend_cli.svg.xml.xmltree import Node
@@ -35,9 +36,6 @@ MOST_OCTAVES = 8
 
 LARGEST_KERNEL = 9
 """Maximum side of the matrix of a convolution: each of its numbers is a look at every pixel."""
-
-STRAIGHT = 1e-9
-"""Tolerance of a map that leaves axes parallel to themselves, as a share of its largest number."""
 
 _TEXT = 10_000
 
@@ -83,7 +81,7 @@ LISTS = {  # attributes of lists of numbers, by element
 
 # Elements by what they have.
 TWO_INPUTS = frozenset(("feBlend", "feComposite", "feDisplacementMap"))
-NO_INPUT = frozenset(("feFlood", "feTurbulence"))
+NO_INPUT = frozenset(("feFlood", "feTurbulence", "feImage"))
 BLURS = {"feGaussianBlur": "stdDeviation", "feDropShadow": "stdDeviation", "feMorphology": "radius"}
 OFFSETS = frozenset(("feOffset", "feDropShadow"))
 FLOODS = frozenset(("feFlood", "feDropShadow"))
@@ -103,57 +101,14 @@ SPACE = "color-interpolation-filters"
 WHITE = colours.Colour("#ffffff")
 
 
-class Units(NamedTuple):
-    """What numbers of a filter mean: the map of its element to the root, and the box if they are shares of it."""
-
-    matrix: Affine
-    box: Box | None
-    lengths: Lengths
-
-    @property
-    def scale(self) -> float:
-        """The factor of lengths that have no direction."""
-        return float(abs(self.matrix.determinant) ** 0.5)
-
-    def own(self, x: float, y: float) -> tuple[float, float]:
-        """Return lengths in the units of the element."""
-        return (x, y) if self.box is None else (x * self.box.width, y * self.box.height)
-
-    def spread(self, x: float, y: float) -> tuple[float, float]:
-        """Return a horizontal and a vertical length without sign, in the root's coordinates."""
-        x, y = self.own(x, y)
-        a, b, c, d, *_ = self.matrix
-        slack = STRAIGHT * max(map(abs, (a, b, c, d)))
-        if max(abs(b), abs(c)) <= slack:
-            return abs(a) * x, abs(d) * y
-        if max(abs(a), abs(d)) <= slack:
-            return abs(c) * y, abs(b) * x
-        return self.scale * x, self.scale * y
-
-    def vector(self, x: float, y: float) -> tuple[float, float]:
-        """Return an offset in the root's coordinates."""
-        x, y = self.own(x, y)
-        a, b, c, d, *_ = self.matrix
-        return a * x + c * y, b * x + d * y
-
-    def point(self, x: float, y: float) -> tuple[float, float]:
-        """Return a place in the root's coordinates."""
-        if self.box is not None:
-            x, y = self.box.x + x * self.box.width, self.box.y + y * self.box.height
-        at = complex(self.matrix.points(np.array([complex(x, y)]))[0])
-        return at.real, at.imag
-
-    def region(self, box: Box) -> Box:
-        """Return the box around a box of the element, in the root's coordinates."""
-        corners = [complex(x, y) for x in (box.x, box.x + box.width) for y in (box.y, box.y + box.height)]
-        return Box.around(self.matrix.points(np.array(corners)))
-
-
 class Steps:
     """The steps of a filter while they are read, in order."""
 
-    def __init__(self, units: Units, cascade: Cascade, inherited: Inherited, notes: Notes) -> None:
+    def __init__(
+        self, units: Units, cascade: Cascade, inherited: Inherited, notes: Notes, shown: Shown
+    ) -> None:
         self._units = units
+        self._shown = shown
         self._cascade = cascade
         self._inherited = inherited
         self._notes = notes
@@ -162,7 +117,8 @@ class Steps:
 
     def add(self, node: Node, space: str) -> bool:
         """Add an element, in whose place others are if it has an id for its result; False if it is not known."""
-        if node.tag not in KNOWN:
+        image = self._shown.step(node, self._units) if node.tag == "feImage" else None
+        if image is None and node.tag not in KNOWN:
             return False
         declared = substitute(self._cascade.declared(node, keep=True), self._inherited.variables)
         is_srgb = declared.get(SPACE, space).strip().lower() == "srgb"
@@ -176,6 +132,8 @@ class Steps:
             self._region(node),
             tuple(filter(None, map(self._part, node.children))),
         )
+        if image is not None:
+            step = image._replace(words=(*words, *image.words))
         result = (node.get("result") or "").strip()
         if result:
             self._results[result] = len(self.found)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement
 
-from shapeblend_cli.model import NORMAL, SOURCE, Content, Effect, Filter, Mask, MaskLayer, Step
+from shapeblend_cli.model import NORMAL, SOURCE, Content, Effect, Filter, Mask, MaskLayer, Raster, Step, View
 from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
@@ -53,8 +53,10 @@ def filter_attributes(made: Filter, decimals: int) -> dict[str, str]:
     return _box(made.region, decimals)
 
 
-def filter_element(name: str, made: Filter, decimals: int, single: Sequence[bool]) -> Element:
-    """Return the definition of a filter."""
+def filter_element(
+    name: str, made: Filter, decimals: int, single: Sequence[bool], link: Callable[[Raster | View], str]
+) -> Element:
+    """Return the definition of a filter; `link` makes links to what it shows."""
     spaces = {dict(step.words).get("color-interpolation-filters") for step in made.steps}
     common = {"color-interpolation-filters": "sRGB"} if spaces == {"sRGB"} else {}
     region = filter_attributes(made, decimals)
@@ -68,10 +70,11 @@ def filter_element(name: str, made: Filter, decimals: int, single: Sequence[bool
     for k, (step, is_one) in enumerate(zip(made.steps, single, strict=True)):
         words = {key: value for key, value in step.words if common.get(key) != value}
         result = {"result": f"s{k}"} if k in named else {}
+        shown = {} if step.image is None else {"href": link(step.image)}
         written = SubElement(
             element,
             step.tag,
-            {**_inputs(step, k), **words, **step_attributes(step, decimals, is_one), **result},
+            {**_inputs(step, k), **shown, **words, **step_attributes(step, decimals, is_one), **result},
         )
         if step.tag == "feMerge":
             for each in step.inputs:
@@ -99,18 +102,20 @@ def _called(each: str | int) -> str:
 class Filters:
     """The filters of a document, each defined once in `elements`."""
 
-    def __init__(self, decimals: int, ids: Ids, prefix: str = "filter") -> None:
+    def __init__(self, decimals: int, ids: Ids, prefix: str, picture: Callable[[Raster | View], str]) -> None:
         self.elements: list[Element] = []
         self._decimals = decimals
         self._ids = ids
         self._prefix = prefix
+        self._picture = picture
         self._names: dict[Filter, str] = {}
 
     def link(self, made: Filter) -> str:
         """Return the value of ``filter`` that refers to a filter."""
         if made not in self._names:
             name = self._names[made] = self._ids.new(f"{self._prefix}-{len(self._names) + 1}")
-            self.elements.append(filter_element(name, made, self._decimals, is_single([made])))
+            single = is_single([made])
+            self.elements.append(filter_element(name, made, self._decimals, single, self._picture))
         return f"url(#{self._names[made]})"
 
 

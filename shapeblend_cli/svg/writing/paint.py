@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import cmath
 import math
+from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
-from xml.etree.ElementTree import Element, SubElement
+from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
 
@@ -27,6 +28,7 @@ from shapeblend_cli.model import (
     RadialGradient,
     Raster,
     Style,
+    View,
 )
 from shapeblend_cli.model.words import Words
 from shapeblend_cli.svg.writing.ids import Ids
@@ -62,6 +64,9 @@ SCALE_DIGITS = 6
 
 PIXEL_DIGITS = 4
 """Decimals of lengths in pixels of the screen."""
+
+SHOWN_SIZE = 1024
+"""Larger side of documents in filters, in pixels: browsers draw them in this size, whatever they are shown in."""
 
 SIDES = ("x", "y", "width", "height")
 """Attributes that place an upright picture."""
@@ -278,8 +283,24 @@ class Gradients:
         from shapeblend_cli.svg.writing.groups import Filters
 
         if self._filters is None:
-            self._filters = Filters(self.decimals, self._ids, f"{self._prefix}filter")
+            self._filters = Filters(self.decimals, self._ids, f"{self._prefix}filter", self.shown_link)
         return self._filters
+
+    def shown_link(self, shown: Raster | View) -> str:
+        """Return a link to what a filter shows: a picture, or a document of its own with what is in a box."""
+        if isinstance(shown, Raster):
+            return shown.uri
+        box = shown.box
+        inner, scale = Gradients(self.decimals), SHOWN_SIZE / box.larger_side
+        size = {"width": number(scale * box.width, 2), "height": number(scale * box.height, 2)}
+        view = " ".join(number(value, self.decimals + CONTENT_DIGITS) for value in box)
+        drawing = Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "viewBox": view, **size})
+        drawing.set("preserveAspectRatio", "none")
+        holder = Element("g")
+        inner.fill(holder, shown.content)
+        SubElement(drawing, "defs").extend(inner.elements)
+        drawing.append(holder)
+        return f"data:image/svg+xml;base64,{b64encode(tostring(drawing)).decode()}"
 
     def around(self, effects: Sequence[Effect]) -> list[Around]:
         """Return groups for the effects around a shape, the outermost first."""

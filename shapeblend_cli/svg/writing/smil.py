@@ -210,7 +210,8 @@ class _AnimatedEffects:
         made = [effect.filter for effect in effects if effect.filter is not None]
         single = writing.is_single(made)
         name = self._ids.new(f"filter-{len(self._links) + 1}")
-        element = writing.filter_element(name, made[0], self._decimals, single)
+        link = self.contents.shown_link
+        element = writing.filter_element(name, made[0], self._decimals, single, link)
         written = list(element)
         self._animate(element, [writing.filter_attributes(each, self._decimals) for each in made], times)
         for k, (step, is_one) in enumerate(zip(written, single, strict=True)):

@@ -202,7 +202,7 @@ NOTES = {
     ),
     "effects": (
         f'<g style="backdrop-filter:blur(2px)" filter="url(#no)">{RECT}</g><g filter="url(#i)">{RECT}</g>'
-        '<filter id="i"><feImage href="#a"/></filter>',
+        '<filter id="i"><feImage href=""/></filter>',
         ("backdrop-filter not applied", "feImage of a filter not applied", "filter not applied (2 times)"),
     ),
     "left out": (
