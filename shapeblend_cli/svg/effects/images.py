@@ -14,13 +14,16 @@ from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import Node
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.svg.effects.placed import Units
     from shapeblend_cli.svg.effects.tiles import Draw
 
 MADE = " "
 """Name of an attribute that no file can have: of elements that are made here."""
+
+MOST_SEGMENTS = 100_000
+"""Maximum number of segments of the elements that filters of a file show, counted again wherever they are shown."""
 
 FIT = "preserveAspectRatio"
 
@@ -31,6 +34,7 @@ class Shown(NamedTuple):
     region: Box  # of the filter, in the coordinates of its element
     ids: Mapping[str, Node]
     draw: Draw
+    is_inner: bool  # whether the filter is in something that is drawn elsewhere
 
     def step(self, node: Node, units: Units) -> Step | None:
         """Return a step that shows a picture, or an element of the file; None if it cannot be shown."""
@@ -45,6 +49,8 @@ class Shown(NamedTuple):
                 return None
             fit = (node.get(FIT) or "").strip()
             return Step("feImage", words=((FIT, fit),) if fit else (), region=region, image=picture.raster)
+        if self.is_inner:
+            return None  # else few elements could show each other very often
         target = self.ids.get(link[1:])
         # As Chromium has it, the element is moved to the corner of the step, and one that is not there is empty.
         matrix = units.matrix @ translation(box.x, box.y)
@@ -76,6 +82,14 @@ class Shown(NamedTuple):
             *(default if side is None else side for side, default in zip(sides, self.region, strict=True))
         )
         return box if box.width > 0.0 and box.height > 0.0 else None
+
+
+def segments_in(steps: Sequence[Step]) -> int:
+    """Return the number of segments of what steps show."""
+    views = [step.image for step in steps if isinstance(step.image, View)]
+    return sum(
+        len(path.segments) for view in views for shape in view.content.shapes for path in shape.contours
+    )
 
 
 def _image(node: Node) -> Node:

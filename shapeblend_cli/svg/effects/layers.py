@@ -115,8 +115,12 @@ class Drawn(NamedTuple):
 class Layers:
     """The effects of a document, whose nodes it knows by their ids."""
 
-    def __init__(self, ids: Mapping[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
+    def __init__(
+        self, ids: Mapping[str, Node], cascade: Cascade, notes: Notes, draw: Draw, *, is_inner: bool = False
+    ) -> None:
         self._ids = ids
+        self._is_inner = is_inner  # whether in something that is drawn elsewhere, such as a pattern
+        self._segments = 0  # of what filters show
         self._draw = draw
         self._cascade = cascade
         self._notes = notes
@@ -218,7 +222,7 @@ class Layers:
     def _linked(self, arguments: Sequence[str], given: Given, inside: Sequence[Shape]) -> Filter | None:
         """Return the filter that is the element of a link; None if there is none, or one that is not known."""
         from shapeblend_cli.svg.effects import tiles
-        from shapeblend_cli.svg.effects.images import Shown
+        from shapeblend_cli.svg.effects.images import MOST_SEGMENTS, Shown, segments_in
         from shapeblend_cli.svg.effects.placed import Units
         from shapeblend_cli.svg.effects.primitives import MOST_STEPS, SPACE, Steps
 
@@ -232,7 +236,7 @@ class Layers:
         if region is None or (in_box and box is None):
             return None
         units = Units(given.matrix, box if in_box else None, given.lengths)
-        shown = Shown(region, self._ids, self._draw)
+        shown = Shown(region, self._ids, self._draw, self._is_inner)
         steps = Steps(units, self._cascade, given.inherited, self._notes, shown)
         space = self._cascade.declared(node, keep=True).get(SPACE, "linearRGB").strip()
         for child in node.children:
@@ -242,6 +246,8 @@ class Layers:
             if not steps.add(child, space) and child.tag.startswith("fe"):
                 self._notes.add(f"{child.tag} of a filter not applied")
                 return None
+        self._segments += segments_in(steps.found)
+        check_limit(self._segments, MOST_SEGMENTS, "segments in filters")
         return Filter(units.region(region), tuple(steps.found)) if steps.found else None
 
 

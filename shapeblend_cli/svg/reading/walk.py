@@ -278,7 +278,7 @@ class Walk:
         before = self._notes.left_out
         inner = copy(self)
         inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
-        inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content)
+        inner._layers = Layers(self._ids, self._cascade, self._notes, inner._content, is_inner=True)
         inner._painter = self._painter.within(node, inner._content)
         inner._shapes, inner._stack = [], [_Visit(node, matrix, around, 1.0, lengths, used=(node,))]
         while inner._stack:

@@ -9,6 +9,7 @@ from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.model import Box, Raster, View
 from shapeblend_cli.options.easing import Timing
 from shapeblend_cli.outputs.formats import Documents
+from shapeblend_cli.svg.effects import images
 from shapeblend_cli.svg.reading.images import element
 from shapeblend_cli.svg.writing.animation import Views
 from shapeblend_cli.svg.writing.css import css_svg
@@ -135,6 +136,25 @@ def test_pictures_count_in_filters_too(monkeypatch):
     once = shown(f'href="{LINK}"')
     assert drawn(once).notes == ()
     refused(f'{once}<image width="9" height="9" href="{LINK}"/>', "more than 1 pictures, the limit")
+
+
+def test_elements_in_filters_are_bounded(monkeypatch):
+    ten = '<feImage href="#r%d"/>' * 10
+    chain = "".join(
+        f'<filter id="f{k}">{ten % ((k + 1,) * 10)}</filter><g id="r{k}" filter="url(#f{k})">{BOX}</g>'
+        for k in range(4)
+    )
+    assert "feImage of a filter not applied (3 times)" in drawn(chain).notes
+    one = shown('href="#c"')
+    inside = f'<pattern id="p" width="9" height="9" patternUnits="userSpaceOnUse">{one}</pattern>'
+    filled = BOX.replace("#08f", "url(#p)")
+    within = CIRCLE + inside + filled
+    assert "feImage of a filter not applied" in drawn(within).notes
+    monkeypatch.setattr(images, "MOST_SEGMENTS", 8)
+    assert drawn(CIRCLE + shown('href="#c"')).notes == ()
+    refused(
+        CIRCLE + shown('href="#c"', '<feImage href="#c"/>' * 2), "more than 8 segments in filters, the limit"
+    )
 
 
 def test_documents_in_filters_have_their_own_gradients():
