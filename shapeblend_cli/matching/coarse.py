@@ -82,6 +82,7 @@ class Problem(NamedTuple):
     watch: Callable[[float], None] = lambda share: None
     near: IntArray | None = None
     known: float = np.inf
+    most: float = np.inf
     most_swept: float = np.inf  # dots, in all sweeps
 
 
@@ -121,7 +122,10 @@ def is_small(m: int, n: int, exact_dots: float) -> bool:
 
 
 def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Path | None:
-    """Search a corridor around a path; where that has none, everywhere that the pins leave."""
+    """Search a corridor around a path; where that has none, everywhere that the pins leave.
+
+    None where only paths that take less than a given work are of use, and the corridor has none.
+    """
     m, n, closed = problem.wires.m, problem.wires.n, problem.wires.closed
     walls = _region(problem, pins)
     rows = near
@@ -140,7 +144,9 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
     )
     reaches_pins = (region.low <= region.high).all()
     path = _search(problem, region, pins)[0] if reaches_pins else None
-    return path if path is not None else _search(problem, walls, pins)[0]
+    if path is not None or (pins is None and problem.most < np.inf):
+        return path
+    return _search(problem, walls, pins)[0]
 
 
 def _solve(problem: Problem, pins: list[Dot] | None, exact_dots: float) -> tuple[Path | None, Graph]:
@@ -172,6 +178,8 @@ def _search(problem: Problem, region: Window, pins: list[Dot] | None) -> tuple[P
     if problem.solver == "simplified":
         find = starts.simplified_of_all if pins is None else starts.simplified_from
         return find(graph), graph
+    if pins is None and problem.most < np.inf:
+        return starts.least_of_all(graph, problem.most, problem.most_swept), graph
     if pins is None:
         found = starts.least_of_all(graph, problem.known, problem.most_swept)
         return found or starts.least_of_all(graph, most_swept=problem.most_swept), graph

@@ -52,6 +52,8 @@ class Search(NamedTuple):
         searched, whatever the effort.
     known : float
         The work of some path among those that are searched: only others that take less need be looked for, and it.
+    most : float
+        Maximum work that is of use, for closed polygons near a path: `NothingLess` is raised where all take more.
     """
 
     start: Dot | None = None
@@ -61,9 +63,14 @@ class Search(NamedTuple):
     effort: str = "auto"
     near: IntArray | None = None
     known: float = np.inf
+    most: float = np.inf
 
 
 EVERYWHERE = Search()
+
+
+class NothingLess(Exception):
+    """All paths that were searched take more than the maximum work that is of use."""
 
 
 def least_work(
@@ -91,6 +98,8 @@ def least_work(
     ------
     MatchError
         Pins that name no vertex or cross each other, or a band that no path fits into.
+    NothingLess
+        Every path takes more than is of use.
     """
     m, n, closed = wires.m, wires.n, wires.closed
     pins = _checked_pins([*filter(None, [search.start]), *search.pins], m, n)
@@ -105,6 +114,7 @@ def least_work(
         watch=watch or (lambda share: None),
         near=near,
         known=search.known,
+        most=search.most,
         most_swept=MOST_SWEPT[search.effort],
     )
     limit = EXACT_DOTS[search.effort]
@@ -113,6 +123,8 @@ def least_work(
     solved = [coarse.solve(problem, placement, limit) for placement in _placements(pins, first, wires)]
     found, lower_bound = min(solved, key=lambda s: s[0].work if s[0] else np.inf)
     if found is None:
+        if search.most < np.inf:
+            raise NothingLess
         raise MatchError(
             f"no path stays within {search.band:g} of the diagonal of {m} and {n} vertices; a wider band would work"
             if search.band is not None

@@ -17,7 +17,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.polyline import tridiagonal
 from shapeblend_cli.matching.angles import turns
-from shapeblend_cli.matching.solve import is_proven
+from shapeblend_cli.matching.solve import NothingLess, is_proven
 from shapeblend_cli.model import unroll
 from shapeblend_cli.wires.contour_match import Solved
 
@@ -63,12 +63,16 @@ def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
         Two contours in the same direction.
     solve : callable
         Finds the correspondence of these contours with other vertices: near a vertex of the second for each of the
-        first, if that is given, and knowing that some correspondence takes a given work. It may change the vertices.
+        first, if that is given, and where only less than a given work is of use: `NothingLess` may be raised. Else it
+        knows that some correspondence takes that work. It may change the vertices.
     """
     a, b, _ = start
     solved = solve(*common_cuts(a, b, start), np.inf)
     for _ in range(ROUNDS - 1):
-        again = solve(*common_cuts(a, b, solved), np.inf)
+        try:
+            again = solve(*common_cuts(a, b, solved), solved.correspondence.work)
+        except NothingLess:
+            break
         if again.correspondence.work >= solved.correspondence.work:
             break
         solved = again

@@ -72,7 +72,10 @@ class ContourMatch:
     def solve(
         self, p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
-        """Find the least work of these contours with other vertices, perhaps near a path or below a known work."""
+        """Find the least work of these contours with other vertices: below a known work, or near a path.
+
+        `NothingLess` may be raised where all paths near that take more than the known work.
+        """
         directed = self.rotated_back(q.polygon)
         return Solved(
             p, q, solve(p.polygon, directed, self.settings, self.constraints, near=near, known=known)

@@ -63,7 +63,7 @@ def solve(
     near: IntArray | None = None,
     known: float = np.inf,
 ) -> Correspondence:
-    """Solve as polygons run, or only near a path, or knowing the work of one (see `Search`).
+    """Solve as polygons run, knowing the work of a path, or only near a path, if that takes less (see `Search`).
 
     Constraints that cannot be met raise a MatchError.
     """
@@ -74,7 +74,8 @@ def solve(
         solver=settings.solver,
         effort=settings.effort,
         near=near,
-        known=known,
+        known=known if near is None else np.inf,
+        most=np.inf if near is None else known,
     )
     return least_work(wires_of(a, b, settings), search, watch)
 
