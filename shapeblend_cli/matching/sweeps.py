@@ -58,6 +58,14 @@ cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
 EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _is_more(work: cython.double, other: cython.double) -> cython.bint:
+    """Return whether one work is more than another: by their difference, else the C compiler makes a branch of it."""
+    return work - other > 0.0 if cython.compiled else work > other
+
+
 def cost_to_go(
     tables: Tables,
     window: Window,
@@ -103,6 +111,12 @@ def cost_to_go(
     cython.declare(south_of_here=cython.double, southeast_of_here=cython.double)
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double)
     cython.declare(after_e=cython.int, after_s=cython.int, after_d=cython.int)
+    # The C compiler takes globals for variables, which it would read again for every dot.
+    cython.declare(ee=cython.int, ed=cython.int, de=cython.int, ss=cython.int)
+    cython.declare(sd=cython.int, ds=cython.int, dd=cython.int)
+    ee, ed, de, ss, sd, ds, dd = 0, 1, 2, 3, 4, 5, 6
+    cython.declare(by_e=cython.int, by_s=cython.int, by_d=cython.int)
+    by_e, by_s, by_d = 0, 1, 2
 
     for c in range(last_column, -1, -1):
         if c % 8 == 0:
@@ -124,23 +138,23 @@ def cost_to_go(
         south_of_here = INFINITY
         southeast_of_here = INFINITY
         if beyond_low <= r + 1 <= beyond_high:
-            southeast_of_here = to_go[beyond + 1, SOUTHEAST]
+            southeast_of_here = to_go[beyond + 1, by_d]
         while r >= low[c]:
             # What each step out of the dot costs from here on, the bend at the dot apart.
             e = INFINITY
             d = southeast[k] + southeast_of_here
             southeast_of_here = INFINITY
             if beyond_low <= r <= beyond_high:
-                e = east[i] + to_go[beyond, EAST]
-                southeast_of_here = to_go[beyond, SOUTHEAST]
+                e = east[i] + to_go[beyond, by_e]
+                southeast_of_here = to_go[beyond, by_d]
             s = south[j] * weight[i] + south_of_here
-            w_e = min(bends[k, EE] + e, bends[k, ED] + d)
-            w_s = min(bends[k, SS] + s, bends[k, SD] + d)
-            w_d = min(min(bends[k, DE] + e, bends[k, DS] + s), bends[k, DD] + d)
+            w_e = min(bends[k, ee] + e, bends[k, ed] + d)
+            w_s = min(bends[k, ss] + s, bends[k, sd] + d)
+            w_d = min(min(bends[k, de] + e, bends[k, ds] + s), bends[k, dd] + d)
             if follows:
-                after_e = EAST if w_e == bends[k, EE] + e else SOUTHEAST
-                after_s = SOUTH if w_s == bends[k, SS] + s else SOUTHEAST
-                after_d = EAST if w_d == bends[k, DE] + e else SOUTH if w_d == bends[k, DS] + s else SOUTHEAST
+                after_e = EAST if w_e == bends[k, ee] + e else SOUTHEAST
+                after_s = SOUTH if w_s == bends[k, ss] + s else SOUTHEAST
+                after_d = EAST if w_d == bends[k, de] + e else SOUTH if w_d == bends[k, ds] + s else SOUTHEAST
                 following[here] = after_d << 4 | after_s << 2 | after_e
             if first_end <= r <= last_end:
                 w_e = end_work[EAST]
@@ -148,9 +162,9 @@ def cost_to_go(
                 w_d = end_work[SOUTHEAST]
                 if follows:
                     following[here] = 0
-            to_go[here, EAST] = w_e
-            to_go[here, SOUTH] = w_s
-            to_go[here, SOUTHEAST] = w_d
+            to_go[here, by_e] = w_e
+            to_go[here, by_s] = w_s
+            to_go[here, by_d] = w_d
             south_of_here = w_s
             r -= 1
             here -= 1
@@ -210,7 +224,8 @@ def sweep(
     to_go_low: cython.Py_ssize_t[::1] = bounds.window.low
     to_go_offset: cython.Py_ssize_t[::1] = bounds.window.column_offset
     limit: cython.double = bounds.limit
-    leaving: cython.double[:, ::1] = progress.leaving
+    rows: cython.Py_ssize_t = progress.leaving.shape[1]
+    leaving: cython.double[::1] = progress.leaving.reshape(-1)
     parents: cython.uchar[::1] = progress.parents
     visited: cython.Py_ssize_t[:, ::1] = progress.visited
     ends: cython.double[:, ::1] = progress.ends
@@ -230,8 +245,16 @@ def sweep(
         k=cython.Py_ssize_t, t=cython.Py_ssize_t, current=cython.Py_ssize_t, beyond=cython.Py_ssize_t
     )
     cython.declare(new_first=cython.Py_ssize_t, new_last=cython.Py_ssize_t)
+    cython.declare(old_e=cython.Py_ssize_t, old_d=cython.Py_ssize_t)
+    cython.declare(new_e=cython.Py_ssize_t, new_d=cython.Py_ssize_t)
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
-    cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double)
+    cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double, least=cython.double)
+    cython.declare(stiff=cython.double, east_here=cython.double, parents_here=cython.Py_ssize_t)
+    cython.declare(is_last=cython.bint, not_d=cython.int)
+    # The C compiler takes globals for variables, which it would read again for every dot.
+    cython.declare(ee=cython.int, ed=cython.int, de=cython.int, ss=cython.int)
+    cython.declare(sd=cython.int, ds=cython.int, dd=cython.int)
+    ee, ed, de, ss, sd, ds, dd = 0, 1, 2, 3, 4, 5, 6
     cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int, alive=cython.bint)
     column: cython.Py_ssize_t = progress.column
     g: cython.Py_ssize_t = 0
@@ -241,6 +264,15 @@ def sweep(
             look_for_signals()
         i = (c - first_column) % m
         current = 2 - previous
+        # Where leaving each row by East and by Southeast is, in this column and in the one before.
+        old_e = previous * rows - base
+        old_d = old_e + rows
+        new_e = current * rows - base
+        new_d = new_e + rows
+        stiff = weight[i]
+        east_here = east[i]
+        parents_here = parent_offset[c] - low[c]
+        is_last = c == columns - 1
         new_first = -1
         new_last = -1
         leaving_south = INFINITY
@@ -262,20 +294,18 @@ def sweep(
                     w_d = start_work[SOUTHEAST]
             else:
                 if r <= last:
-                    w_e = leaving[previous, r - base]
+                    w_e = leaving[old_e + r]
                 if first < r <= last + 1:
-                    w_d = leaving[previous + 1, r - 1 - base]
-                if c == columns - 1 and not south_at_end:
+                    w_d = leaving[old_d + r - 1]
+                if is_last and not south_at_end:
                     w_s = INFINITY
+            # A state beyond the limit is not left out beside another within: what follows it is beyond the limit, too.
             if pruning:
-                if w_e + to_go[g, EAST] >= limit:
-                    w_e = INFINITY
-                if w_s + to_go[g, SOUTH] >= limit:
-                    w_s = INFINITY
-                if w_d + to_go[g, SOUTHEAST] >= limit:
-                    w_d = INFINITY
+                least = min(w_e + to_go[g, EAST], w_s + to_go[g, SOUTH], w_d + to_go[g, SOUTHEAST])
+                alive = least < limit
                 g += 1
-            alive = w_e < INFINITY or w_s < INFINITY or w_d < INFINITY
+            else:
+                alive = min(w_e, w_s, w_d) < INFINITY
             if alive:
                 if new_first < 0:
                     new_first = r
@@ -283,7 +313,7 @@ def sweep(
             elif r > last:
                 break  # nothing leads to the rows below either
 
-            if c == columns - 1:
+            if is_last:
                 ends[r - low[c], EAST] = w_e
                 ends[r - low[c], SOUTH] = w_s
                 ends[r - low[c], SOUTHEAST] = w_d
@@ -296,31 +326,29 @@ def sweep(
                     w_e = w_s = INFINITY
 
             if alive:
-                # Leaving Southeast, after any step. Which is least is as good as random: sums, not jumps.
-                by_e = w_e + bends[k, ED]
-                by_s = w_s + bends[k, SD]
-                by_d = w_d + bends[k, DD]
-                parent_s = by_s < by_e  # SOUTH, else EAST
-                by_e = by_s if by_s < by_e else by_e
-                parent_d = SOUTHEAST - (by_d > by_e) * (SOUTHEAST - parent_s)
-                by_d = by_e if by_d > by_e else by_d
-                leaving[current + 1, r - base] = by_d + southeast[k]
+                # Which is least is as good as random, so there are no branches. Leaving Southeast, after any step.
+                by_e = w_e + bends[k, ed]
+                by_s = min(by_e, w_s + bends[k, sd])
+                by_d = w_d + bends[k, dd]
+                least = min(by_s, by_d)
+                parent_s = _is_more(by_e, by_s)  # SOUTH, else EAST
+                not_d = _is_more(by_d, least)
+                parent_d = (not_d & parent_s) | (1 - not_d) << 1
+                leaving[new_d + r] = least + southeast[k]
                 # Leaving South, after South or Southeast.
-                by_s = w_s + bends[k, SS]
-                by_d = w_d + bends[k, DS]
-                parent_s = SOUTH + (by_d < by_s) * (SOUTHEAST - SOUTH)
-                by_s = by_d if by_d < by_s else by_s
-                leaving_south = by_s + south[j] * weight[i]
+                by_s = w_s + bends[k, ss]
+                least = min(by_s, w_d + bends[k, ds])
+                parent_s = 1 + _is_more(by_s, least)  # SOUTH or SOUTHEAST
+                leaving_south = least + south[j] * stiff
                 # Leaving East, after East or Southeast.
-                by_e = w_e + bends[k, EE]
-                by_d = w_d + bends[k, DE]
-                parent_e = (by_d < by_e) * SOUTHEAST  # else EAST
-                by_e = by_d if by_d < by_e else by_e
-                leaving[current, r - base] = by_e + east[i]
-                parents[parent_offset[c] + r - low[c]] = parent_d << 4 | parent_s << 2 | parent_e
+                by_e = w_e + bends[k, ee]
+                least = min(by_e, w_d + bends[k, de])
+                parent_e = _is_more(by_e, least) << 1  # SOUTHEAST, else EAST
+                leaving[new_e + r] = least + east_here
+                parents[parents_here + r] = parent_d << 4 | parent_s << 2 | parent_e
             else:
-                leaving[current + 1, r - base] = INFINITY
-                leaving[current, r - base] = INFINITY
+                leaving[new_d + r] = INFINITY
+                leaving[new_e + r] = INFINITY
                 leaving_south = INFINITY
             r += 1
             j += 1
