@@ -140,6 +140,10 @@ class Corners:
         The angle of -B, the way in, in [-pi, pi]; the way out is this and the turn.
     ahead, aside : (m,) float
         The parts of conj(F) B.
+    apart, along : (m,) complex
+        B - F and B + F.
+    least_turn, most_turn : (m,) float
+        The turn where it is negative, or positive; else 0.
     """
 
     theta = cython.declare(cython.double[::1], visibility="readonly")
@@ -153,6 +157,10 @@ class Corners:
     heading: cython.double[::1]
     ahead: cython.double[::1]
     aside: cython.double[::1]
+    apart: cython.doublecomplex[::1]
+    along: cython.doublecomplex[::1]
+    least_turn: cython.double[::1]
+    most_turn: cython.double[::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool, only_turns: bool = False) -> None:
         if only_turns:
@@ -167,6 +175,8 @@ class Corners:
         self.heading = _arg(-back)
         self.ahead = fwd.real * back.real + fwd.imag * back.imag
         self.aside = fwd.real * back.imag - fwd.imag * back.real
+        self.apart, self.along = back - fwd, back + fwd
+        self.least_turn, self.most_turn = np.minimum(self.turn, 0.0), np.maximum(self.turn, 0.0)
 
 
 @cython.cfunc
@@ -200,21 +210,6 @@ def _short_way(angle: cython.double) -> cython.double:
     if angle < -PI:
         return angle + TWO_PI
     return angle
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
-def _all_ahead(
-    heading0: cython.double, turn0: cython.double, heading1: cython.double, turn1: cython.double
-) -> cython.bint:
-    """Return whether both wires go on within half a round, in and out: no angle on the way between them is then zero.
-
-    Among coincident vertices on both sides of a dot, where the limit of the angle counts, it may still be.
-    """
-    ahead: cython.double = _short_way(heading1 - heading0)
-    low: cython.double = min(0.0, turn0, ahead, ahead + turn1)
-    high: cython.double = max(0.0, turn0, ahead, ahead + turn1)
-    return high - low < PI - HALF_ROUND_NOISE
 
 
 @cython.cfunc
@@ -330,35 +325,14 @@ class Bending:
         q: Corners,
         j: cython.Py_ssize_t,
         work: cython.double[:, ::1],
-        first: cython.Py_ssize_t,
-        beyond: cython.Py_ssize_t,
+        k: cython.Py_ssize_t,
     ) -> cython.void:
-        """Add the work of the angles' motions to the dots of a column, from vertex j of the second wire on."""
-        k: cython.Py_ssize_t
-        n: cython.Py_ssize_t = q.theta.shape[0]
-        turn: cython.double = p.turn[i]
-        heading: cython.double = p.heading[i]
-        p_ahead: cython.double = p.ahead[i]
-        p_aside: cython.double = p.aside[i]
-        p_b: cython.double = self.p_b
-        by_turning: cython.bint = self.by_turning
-        for k in range(first, beyond):
-            p_rests: cython.int = -1
-            q_rests: cython.int = -1
-            if by_turning:
-                q_rests = _meets_zero_inside(p_ahead, p_aside, p.back[i], p.fwd[i], q.base[j])
-                p_rests = _meets_zero_inside(q.ahead[j], q.aside[j], q.back[j], q.fwd[j], p.base[i])
-            work[k, EE] += self.inside_run(k_b, p, i, q, j) if q_rests < 0 else q_rests * p_b
-            work[k, SS] += self.inside_run(k_b, q, j, p, i) if p_rests < 0 else p_rests * p_b
-            if not (by_turning and _all_ahead(heading, turn, q.heading[j], q.turn[j])):
-                work[k, ED] += self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
-                work[k, DE] += self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
-                work[k, SD] += self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
-                work[k, DS] += self.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
-                work[k, DD] += self.moving(k_b, p, i, q, j)
-            j += 1
-            if j == n:
-                j = 0
+        """Add the work of the angle's motions to a dot, those inside runs apart."""
+        work[k, ED] += self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
+        work[k, DE] += self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
+        work[k, SD] += self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
+        work[k, DS] += self.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
+        work[k, DD] += self.moving(k_b, p, i, q, j)
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -479,6 +453,9 @@ class Bending:
             _dot(b, b) + _dot(f, f)
         ):  # Q1 = 0 points nowhere
             return self.of_motion(k_b, theta, PI - theta, 0.0, 0.0)
+        # The angle of Q1 is zero, whichever way it goes there.
+        if k_b == 0.0 and fabs(y1) <= 0.1 * ANGLE_NOISE * x1:
+            return self.p_b
         theta1: cython.double = atan2(y1, x1)
         if theta1 < 0.0:
             theta1 += TWO_PI
@@ -489,30 +466,27 @@ class Bending:
 @cython.inline
 @cython.exceptval(check=False)
 def _meets_zero_inside(
-    x0: cython.double,
-    y0: cython.double,
-    b: cython.doublecomplex,
-    f: cython.doublecomplex,
-    d: cython.doublecomplex,
+    x0: cython.double, y0: cython.double, x1: cython.double, y1: cython.double
 ) -> cython.int:
     """Return whether the way from Q0 to Q1 passes right of the origin: 1 or 0, or -1 where rounding might decide.
 
-    Q0 is given by its parts, Q1 as in `Bending.inside_run`.
+    Q1 is that of `Bending.inside_run`.
     """
-    x1: cython.double = _dot(d, b) - _dot(f, d)
+    below0: cython.double = fabs(y0)
+    below1: cython.double = fabs(y1)
+    right: cython.double = x0 * below1 + x1 * below0
+    noise: cython.double = ANGLE_NOISE * (fabs(x0) + below0 + fabs(x1) + below1)
+    # Where rounding decides nothing, which is usual, the signs are random: no branches.
+    if min(below0, below1) > noise and fabs(right) > noise * (below0 + below1):
+        return (right > 0.0) & ((y0 > 0.0) != (y1 > 0.0))
     if x0 < 0.0 and x1 < 0.0:
         return 0
-    y1: cython.double = _cross(d, b) - _cross(f, d)
-    noise: cython.double = ANGLE_NOISE * (fabs(x0) + fabs(y0) + fabs(x1) + fabs(y1))
     if (y0 > noise and y1 > noise) or (y0 < -noise and y1 < -noise):
         return 0
     if fabs(y1) > noise >= fabs(y0) and x0 < -noise:  # it begins or ends left of the origin
         return 0
     if fabs(y0) > noise >= fabs(y1) and x1 < -noise:
         return 0
-    right: cython.double = x0 * fabs(y1) + x1 * fabs(y0)
-    if fabs(y0) > noise and fabs(y1) > noise and fabs(right) > noise * (fabs(y0) + fabs(y1)):
-        return 1 if right > 0.0 else 0
     return -1
 
 
@@ -546,18 +520,74 @@ def fill_bends(
     column_offset: cython.Py_ssize_t[::1] = window.column_offset
     work: cython.double[:, ::1] = bends
     by_turning: cython.bint = bending.by_turning
-    has_motions: cython.bint = not by_turning or bending.p_b != 0.0
-    cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t, first=cython.Py_ssize_t)
+    n: cython.Py_ssize_t = q.turn.shape[0]
+    cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
+    cython.declare(k=cython.Py_ssize_t, first=cython.Py_ssize_t)
     for c in range(vertices.shape[0]):
         if c % 8 == 0:
             look_for_signals()
-        i, j, first = vertices[c], low[c] % q.turn.shape[0], column_offset[c]
+        i, j, first = vertices[c], low[c] % n, column_offset[c]
         beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
         k_b: cython.double = bending.k_b * stiffness[c]
-        if by_turning and k_b != 0.0:  # else the power may be infinite
-            _add_turns(k_b, bending.e_b, p.turn[i], q.turn, j, work, first, beyond)
-        if has_motions:
-            bending.add_motions(0.0 if by_turning else k_b, p, i, q, j, work, first, beyond)
+        if by_turning:
+            if k_b != 0.0:  # else the power may be infinite
+                _add_turns(k_b, bending.e_b, p.turn[i], q.turn, j, work, first, beyond)
+            if bending.p_b != 0.0:
+                _add_penalties(bending, p, i, q, j, work, first, beyond)
+            continue
+        for k in range(first, beyond):
+            work[k, EE] += bending.inside_run(k_b, p, i, q, j)
+            work[k, SS] += bending.inside_run(k_b, q, j, p, i)
+            bending.add_motions(k_b, p, i, q, j, work, k)
+            j += 1
+            if j == n:
+                j = 0
+
+
+@cython.cfunc
+@cython.exceptval(check=False)
+def _add_penalties(
+    bending: Bending,
+    p: Corners,
+    i: cython.Py_ssize_t,
+    q: Corners,
+    j: cython.Py_ssize_t,
+    work: cython.double[:, ::1],
+    first: cython.Py_ssize_t,
+    beyond: cython.Py_ssize_t,
+) -> cython.void:
+    """Add the penalties of zero angles to the dots of a column, from vertex j of the second wire on.
+
+    Where both wires go on within half a round, in and out, no angle on the way between them is zero. Among coincident
+    vertices on both sides of a dot, where the limit of the angle counts, it may still be.
+    """
+    k: cython.Py_ssize_t
+    n: cython.Py_ssize_t = q.turn.shape[0]
+    p_b: cython.double = bending.p_b
+    heading: cython.double = p.heading[i]
+    least: cython.double = p.least_turn[i]
+    most: cython.double = p.most_turn[i]
+    x0: cython.double = p.ahead[i]
+    y0: cython.double = p.aside[i]
+    apart, along, base = p.apart[i], p.along[i], p.base[i]
+    for k in range(first, beyond):
+        other = q.base[j]
+        x1: cython.double = _dot(other, apart)
+        if x0 >= 0.0 or x1 >= 0.0:
+            rests: cython.int = _meets_zero_inside(x0, y0, x1, _cross(other, along))
+            work[k, EE] += bending.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
+        x1 = _dot(base, q.apart[j])
+        if q.ahead[j] >= 0.0 or x1 >= 0.0:
+            rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
+            work[k, SS] += bending.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
+        ahead: cython.double = _short_way(q.heading[j] - heading)
+        low: cython.double = min(least, ahead + q.least_turn[j])
+        high: cython.double = max(most, ahead + q.most_turn[j])
+        if high - low >= PI - HALF_ROUND_NOISE:
+            bending.add_motions(0.0, p, i, q, j, work, k)
+        j += 1
+        if j == n:
+            j = 0
 
 
 @cython.cfunc
