@@ -23,6 +23,12 @@ COMPILED = cython.compiled
 GRAZING = cython.declare(cython.double, 1e-6)
 """Minimum sine of the angle between the tangent at a point and the chord to one that bounds its ball."""
 
+BLOCK = cython.declare(cython.Py_ssize_t, 16)
+"""Number of points that are left out together where none is in a ball."""
+
+NO_LESS = cython.declare(cython.double, 1.0 + 1e-9)
+"""Minimum square of the distance of such points from the ball's centre, in squares of its radius: above rounding."""
+
 
 def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> FloatArray:
     """Return the diameter of the largest ball inside an outline that touches it at each point, at most `most`.
@@ -42,14 +48,11 @@ def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> 
     -------
     (n,) float
     """
-    order = np.argsort(points.real, kind="stable")
     found = np.full(len(points), most)
-    arrays = (points[order].real, points[order].imag, normals[order].real, normals[order].imag)
+    arrays = (points.real, points.imag, normals.real, normals.imag)
     x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
-    ranks = np.empty(len(points), np.intp)
-    ranks[order] = np.arange(len(points))
-    _narrow(x, y, u, v, ranks, found)
-    return found[ranks]
+    _narrow(x, y, u, v, np.empty(((len(points) + BLOCK - 1) // BLOCK, 4)), found)
+    return found
 
 
 @cython.cfunc
@@ -58,42 +61,52 @@ def _narrow(
     y: cython.double[::1],
     u: cython.double[::1],
     v: cython.double[::1],
-    ranks: cython.Py_ssize_t[::1],
+    boxes: cython.double[:, ::1],
     found: cython.double[::1],
 ) -> None:
-    """Narrow the balls of points, which rise in x, by each other; only points within a diameter matter.
+    """Narrow the balls of points by each other; only points inside a ball matter.
 
-    They are looked at in the order of the outline: what bounds the last ball most often nearly bounds the next one.
+    What bounds the last ball most often nearly bounds the next one, so it is looked at first. Then come the blocks that
+    reach into the ball. The boxes around blocks are filled in.
     """
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
-    k: cython.Py_ssize_t
-    step: cython.int
+    b: cython.Py_ssize_t
     count: cython.Py_ssize_t = x.shape[0]
-    bounding: cython.Py_ssize_t = -1
-    for k in range(count):
-        i = ranks[k]
+    bounding: cython.Py_ssize_t = 0
+    for b in range(boxes.shape[0]):
+        j = b * BLOCK
+        boxes[b, 0] = boxes[b, 1] = x[j]
+        boxes[b, 2] = boxes[b, 3] = y[j]
+        for j in range(b * BLOCK + 1, min(count, (b + 1) * BLOCK)):
+            boxes[b, 0], boxes[b, 1] = min(boxes[b, 0], x[j]), max(boxes[b, 1], x[j])
+            boxes[b, 2], boxes[b, 3] = min(boxes[b, 2], y[j]), max(boxes[b, 3], y[j])
+    for i in range(count):
+        px: cython.double = x[i]
+        py: cython.double = y[i]
+        nx: cython.double = u[i]
+        ny: cython.double = v[i]
         best: cython.double = found[i]
-        last: cython.Py_ssize_t = bounding
-        bounding = -1
-        for step in (0, 1, -1):
-            j = last if step == 0 else i + step
-            while 0 <= j < count:
-                dx: cython.double = x[j] - x[i]
-                if dx * step > best:
-                    break
-                dy: cython.double = y[j] - y[i]
-                if -best < dy < best:
-                    inward: cython.double = u[i] * dx + v[i] * dy
-                    square: cython.double = dx * dx + dy * dy
-                    if (
-                        inward > 0.0
-                        and inward * inward > GRAZING * GRAZING * square
-                        and square < best * inward
-                    ):
-                        best = square / inward
-                        bounding = j
-                if step == 0:
-                    break
-                j += step
+        first: cython.Py_ssize_t = bounding
+        for b in range(-1, boxes.shape[0]):
+            begin: cython.Py_ssize_t = first
+            end: cython.Py_ssize_t = first + 1
+            if b >= 0:
+                radius: cython.double = 0.5 * best
+                away_x: cython.double = px + radius * nx
+                away_y: cython.double = py + radius * ny
+                away_x = max(boxes[b, 0] - away_x, away_x - boxes[b, 1], 0.0)
+                away_y = max(boxes[b, 2] - away_y, away_y - boxes[b, 3], 0.0)
+                if away_x * away_x + away_y * away_y > radius * radius * NO_LESS:
+                    continue
+                begin = b * BLOCK
+                end = min(count, begin + BLOCK)
+            for j in range(begin, end):
+                dx: cython.double = x[j] - px
+                dy: cython.double = y[j] - py
+                inward: cython.double = nx * dx + ny * dy
+                square: cython.double = dx * dx + dy * dy
+                if square < best * inward and inward * inward > GRAZING * GRAZING * square:
+                    best = square / inward
+                    bounding = j
         found[i] = best
