@@ -289,23 +289,23 @@ def add_distances(
         The largest distances so far, by points or vertices.
     """
     edges: cython.Py_ssize_t = line.shape[0] - 1
+    count: cython.Py_ssize_t = lengths.shape[0]
     p: cython.Py_ssize_t
     k: cython.Py_ssize_t
+    first: cython.Py_ssize_t = 0  # the number of lengths up to a place; places mostly rise
     for p in range(points.shape[0]):
-        first: cython.Py_ssize_t = 0  # the number of lengths up to this place
-        last: cython.Py_ssize_t = lengths.shape[0]
-        while first < last:
-            middle: cython.Py_ssize_t = (first + last) // 2
-            if lengths[middle] <= places[p]:
-                first = middle + 1
-            else:
-                last = middle
+        while first > 0 and lengths[first - 1] > places[p]:
+            first -= 1
+        while first < count and lengths[first] <= places[p]:
+            first += 1
         near: cython.Py_ssize_t = first - 1
         least: cython.double = -1.0
+        next_number: cython.Py_ssize_t = (near - REACH + REACH * edges) % edges
         for k in range(near - REACH, near + REACH + 1):
             number: cython.Py_ssize_t = min(max(k, 0), edges - 1)
             if closed:
-                number = (k + REACH * edges) % edges
+                number = next_number
+                next_number = number + 1 if number + 1 < edges else 0
             x: cython.double = points[p, 0] - line[number, 0]
             y: cython.double = points[p, 1] - line[number, 1]
             dx: cython.double = line[number + 1, 0] - line[number, 0]
