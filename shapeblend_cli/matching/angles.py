@@ -121,8 +121,8 @@ class Corners:
     closed : bool
         An open wire goes straight on beyond its ends: the missing edge of an end vertex is its other edge reversed, so
         a run of coincident vertices there lies along the wire.
-    only_turns : bool
-        Know `turn` alone, which is what bending by turning without a penalty asks for; the others are empty.
+    smooth_turn : (m,) float, optional
+        How far the smoothed outline turns there; by default as far as the wire.
 
     Attributes
     ----------
@@ -159,17 +159,16 @@ class Corners:
     aside: cython.double[::1]
     apart: cython.doublecomplex[::1]
     along: cython.doublecomplex[::1]
+    smooth_turn: cython.double[::1]
     least_turn: cython.double[::1]
     most_turn: cython.double[::1]
 
-    def __init__(self, vertices: ComplexArray, closed: bool, only_turns: bool = False) -> None:
-        if only_turns:
-            self.turn = turns(vertices, closed)
-            return
+    def __init__(self, vertices: ComplexArray, closed: bool, smooth_turn: FloatArray | None = None) -> None:
         back, fwd = _edges_at(vertices, closed)
         theta = _theta(back, fwd)
         base = back / np.abs(back) * np.exp(-1j * (0.5 * np.pi + 0.5 * theta))
         self.theta, self.turn = theta, np.pi - theta
+        self.smooth_turn = self.turn if smooth_turn is None else smooth_turn
         self.back, self.fwd, self.base = back, fwd, base
         self.back_arg, self.fwd_arg, self.base_arg = _arg(back), _arg(fwd), _arg(base)
         self.heading = _arg(-back)
@@ -302,7 +301,7 @@ class Bending:
 
     By turning, which is not in the paper, an angle costs k_b |turn of p - turn of q|^e_b, and p_b where straight vertex
     paths take the angle through zero. Each end of a run of coincident vertices has half of the turn that the run's
-    vertex has, as in section 2.2, and its inside has none.
+    vertex has, as in section 2.2, and its inside has none. On the smoothed outline the factor is `k_smooth`.
     """
 
     by_turning: cython.bint
@@ -310,14 +309,16 @@ class Bending:
     m_b: cython.double
     e_b: cython.double
     p_b: cython.double
+    k_smooth: cython.double
 
-    def __init__(self, constants: WorkConstants, k_b: float, p_b: float) -> None:
+    def __init__(self, constants: WorkConstants, k_b: float, p_b: float, k_smooth: float = 0.0) -> None:
         self.by_turning = constants.bending == "turn"
         self.k_b, self.m_b, self.e_b, self.p_b = k_b, constants.m_b, constants.e_b, p_b
+        self.k_smooth = k_smooth
 
     @cython.cfunc
     @cython.exceptval(check=False)
-    def add_motions(
+    def fill_motions(
         self,
         k_b: cython.double,
         p: Corners,
@@ -327,12 +328,14 @@ class Bending:
         work: cython.double[:, ::1],
         k: cython.Py_ssize_t,
     ) -> cython.void:
-        """Add the work of the angle's motions to a dot, those inside runs apart."""
-        work[k, ED] += self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
-        work[k, DE] += self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
-        work[k, SD] += self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
-        work[k, DS] += self.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
-        work[k, DD] += self.moving(k_b, p, i, q, j)
+        """Fill in the work of the angle's motions at a dot."""
+        work[k, EE] = self.inside_run(k_b, p, i, q, j)
+        work[k, SS] = self.inside_run(k_b, q, j, p, i)
+        work[k, ED] = self.at_run(k_b, p.theta[i], _out_of_run(p, i, q, j))
+        work[k, DE] = self.at_run(k_b, p.theta[i], _into_run(p, i, q, j))
+        work[k, SD] = self.at_run(k_b, q.theta[j], _out_of_run(q, j, p, i))
+        work[k, DS] = self.at_run(k_b, q.theta[j], _into_run(q, j, p, i))
+        work[k, DD] = self.moving(k_b, p, i, q, j)
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -499,7 +502,7 @@ def fill_bends(
     window: Window,
     bends: FloatArray,
 ) -> None:
-    """Add the work of the seven bends to every dot of a window.
+    """Fill in the work of the seven bends at every dot of a window.
 
     Parameters
     ----------
@@ -519,7 +522,6 @@ def fill_bends(
     high: cython.Py_ssize_t[::1] = window.high
     column_offset: cython.Py_ssize_t[::1] = window.column_offset
     work: cython.double[:, ::1] = bends
-    by_turning: cython.bint = bending.by_turning
     n: cython.Py_ssize_t = q.turn.shape[0]
     cython.declare(c=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
     cython.declare(k=cython.Py_ssize_t, first=cython.Py_ssize_t)
@@ -528,17 +530,11 @@ def fill_bends(
             look_for_signals()
         i, j, first = vertices[c], low[c] % n, column_offset[c]
         beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
-        k_b: cython.double = bending.k_b * stiffness[c]
-        if by_turning:
-            if k_b != 0.0:  # else the power may be infinite
-                _add_turns(k_b, bending.e_b, p.turn[i], q.turn, j, work, first, beyond)
-            if bending.p_b != 0.0:
-                _add_penalties(bending, p, i, q, j, work, first, beyond)
+        if bending.by_turning:
+            _fill_turning(bending, stiffness[c], p, i, q, j, work, first, beyond)
             continue
         for k in range(first, beyond):
-            work[k, EE] += bending.inside_run(k_b, p, i, q, j)
-            work[k, SS] += bending.inside_run(k_b, q, j, p, i)
-            bending.add_motions(k_b, p, i, q, j, work, k)
+            bending.fill_motions(bending.k_b * stiffness[c], p, i, q, j, work, k)
             j += 1
             if j == n:
                 j = 0
@@ -546,8 +542,9 @@ def fill_bends(
 
 @cython.cfunc
 @cython.exceptval(check=False)
-def _add_penalties(
+def _fill_turning(
     bending: Bending,
+    stiffness: cython.double,
     p: Corners,
     i: cython.Py_ssize_t,
     q: Corners,
@@ -556,14 +553,22 @@ def _add_penalties(
     first: cython.Py_ssize_t,
     beyond: cython.Py_ssize_t,
 ) -> cython.void:
-    """Add the penalties of zero angles to the dots of a column, from vertex j of the second wire on.
+    """Fill in the work of bending by turning at the dots of a column, from vertex j of the second wire on.
 
     Where both wires go on within half a round, in and out, no angle on the way between them is zero. Among coincident
     vertices on both sides of a dot, where the limit of the angle counts, it may still be.
     """
-    k: cython.Py_ssize_t
+    cython.declare(k=cython.Py_ssize_t, rests=cython.int, x1=cython.double)
     n: cython.Py_ssize_t = q.turn.shape[0]
+    e_b: cython.double = bending.e_b
     p_b: cython.double = bending.p_b
+    # Where there is no factor, the power may be infinite.
+    k_b: cython.double = bending.k_b * stiffness
+    k_smooth: cython.double = bending.k_smooth * stiffness
+    turn: cython.double = p.turn[i]
+    smooth: cython.double = p.smooth_turn[i]
+    alone: cython.double = _power(k_b, e_b, fabs(turn)) if k_b != 0.0 else 0.0
+    smooth_alone: cython.double = _power(k_smooth, e_b, fabs(smooth)) if k_smooth != 0.0 else 0.0
     heading: cython.double = p.heading[i]
     least: cython.double = p.least_turn[i]
     most: cython.double = p.most_turn[i]
@@ -571,51 +576,47 @@ def _add_penalties(
     y0: cython.double = p.aside[i]
     apart, along, base = p.apart[i], p.along[i], p.base[i]
     for k in range(first, beyond):
-        other = q.base[j]
-        x1: cython.double = _dot(other, apart)
-        if x0 >= 0.0 or x1 >= 0.0:
-            rests: cython.int = _meets_zero_inside(x0, y0, x1, _cross(other, along))
-            work[k, EE] += bending.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
-        x1 = _dot(base, q.apart[j])
-        if q.ahead[j] >= 0.0 or x1 >= 0.0:
-            rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
-            work[k, SS] += bending.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
-        ahead: cython.double = _short_way(q.heading[j] - heading)
-        low: cython.double = min(least, ahead + q.least_turn[j])
-        high: cython.double = max(most, ahead + q.most_turn[j])
-        if high - low >= PI - HALF_ROUND_NOISE:
-            bending.add_motions(0.0, p, i, q, j, work, k)
+        ee: cython.double = alone
+        ed: cython.double = 0.0
+        de: cython.double = 0.0
+        ss: cython.double = 0.0
+        sd: cython.double = 0.0
+        ds: cython.double = 0.0
+        dd: cython.double = 0.0
+        if k_b != 0.0:
+            other: cython.double = q.turn[j]
+            beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
+            other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
+            ed, de, ss = ed + beside, de + beside, ss + _power(k_b, e_b, fabs(other))
+            sd, ds, dd = sd + other_beside, ds + other_beside, dd + _power(k_b, e_b, fabs(turn - other))
+        if p_b != 0.0:
+            q_base = q.base[j]
+            x1 = _dot(q_base, apart)
+            if x0 >= 0.0 or x1 >= 0.0:
+                rests = _meets_zero_inside(x0, y0, x1, _cross(q_base, along))
+                ee += bending.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
+            x1 = _dot(base, q.apart[j])
+            if q.ahead[j] >= 0.0 or x1 >= 0.0:
+                rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
+                ss += bending.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
+            ahead: cython.double = _short_way(q.heading[j] - heading)
+            low: cython.double = min(least, ahead + q.least_turn[j])
+            high: cython.double = max(most, ahead + q.most_turn[j])
+            if high - low >= PI - HALF_ROUND_NOISE:
+                ed += bending.at_run(0.0, p.theta[i], _out_of_run(p, i, q, j))
+                de += bending.at_run(0.0, p.theta[i], _into_run(p, i, q, j))
+                sd += bending.at_run(0.0, q.theta[j], _out_of_run(q, j, p, i))
+                ds += bending.at_run(0.0, q.theta[j], _into_run(q, j, p, i))
+                dd += bending.moving(0.0, p, i, q, j)
+        if k_smooth != 0.0:
+            other = q.smooth_turn[j]
+            beside = _power(k_smooth, e_b, fabs(smooth - 0.5 * other))
+            other_beside = _power(k_smooth, e_b, fabs(other - 0.5 * smooth))
+            ed, de, ss = ed + beside, de + beside, ss + _power(k_smooth, e_b, fabs(other))
+            sd, ds = sd + other_beside, ds + other_beside
+            dd += _power(k_smooth, e_b, fabs(smooth - other))
+        work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed, de
+        work[k, SS], work[k, SD], work[k, DS], work[k, DD] = ss, sd, ds, dd
         j += 1
         if j == n:
-            j = 0
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
-def _add_turns(
-    k_b: cython.double,
-    e_b: cython.double,
-    turn: cython.double,
-    others: cython.double[::1],
-    j: cython.Py_ssize_t,
-    work: cython.double[:, ::1],
-    first: cython.Py_ssize_t,
-    beyond: cython.Py_ssize_t,
-) -> cython.void:
-    """Add the work of the changes of turning to the dots of a column, from vertex j of the second wire on."""
-    alone: cython.double = _power(k_b, e_b, fabs(turn))
-    k: cython.Py_ssize_t
-    for k in range(first, beyond):
-        other: cython.double = others[j]
-        beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
-        other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
-        work[k, EE] += alone
-        work[k, ED] += beside
-        work[k, DE] += beside
-        work[k, SS] += _power(k_b, e_b, fabs(other))
-        work[k, SD] += other_beside
-        work[k, DS] += other_beside
-        work[k, DD] += _power(k_b, e_b, fabs(turn - other))
-        j += 1
-        if j == others.shape[0]:
             j = 0

@@ -14,12 +14,12 @@ The constants of a preset leave all of that out.
 
 from __future__ import annotations
 
-from functools import cached_property, lru_cache, partial
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
+from shapeblend_cli.matching.angles import Bending, Corners, fill_bends, turns
 from shapeblend_cli.matching.smoothing import smoothed
 from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
 from shapeblend_cli.matching.stretching import fill_stretching, stretching_work
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
-    AddWork = Callable[[IntArray, Window, FloatArray], None]
+    TakeWork = Callable[[IntArray, Window, FloatArray], None]
 
 SMOOTH_SHARE = 0.7
 """Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
@@ -114,12 +114,17 @@ class Wires:
     @cached_property
     def corners0(self) -> Corners:
         """The angles of the first wire."""
-        return Corners(self.p0, self.closed)
+        return self._corners_of(0)
 
     @cached_property
     def corners1(self) -> Corners:
         """The angles of the second wire."""
-        return Corners(self.p1, self.closed)
+        return self._corners_of(1)
+
+    def _corners_of(self, side: int) -> Corners:
+        wire, c = self.wires[side], self.constants
+        is_smoothed = c.smoothing and c.bending == "turn"
+        return Corners(wire.vertices, self.closed, turns(wire.smooth, self.closed) if is_smoothed else None)
 
     @property
     def _corners(self) -> tuple[Corners, Corners]:
@@ -127,8 +132,7 @@ class Wires:
 
     @cached_property
     def _smooth_corners(self) -> tuple[Corners, Corners]:
-        only_turns = self.constants.bending == "turn"
-        first, second = (Corners(wire.smooth, self.closed, only_turns) for wire in self.wires)
+        first, second = (Corners(wire.smooth, self.closed) for wire in self.wires)
         return first, second
 
     @cached_property
@@ -162,9 +166,9 @@ class Wires:
         fill_stretching(
             (self.len0, self.len1), self.constants, columns, self.edge_weight[columns], window, southeast
         )
-        bends = np.zeros((window.dots, 7))
-        for add in self._terms_of_bends:
-            add(columns, window, bends)
+        bends = np.empty((window.dots, 7))
+        for take in self._terms_of_bends:
+            take(columns, window, bends)
         if not self.closed:
             if columns[0] == 0 and window.low[0] == 0:
                 bends[0] = 0.0
@@ -182,30 +186,29 @@ class Wires:
         )
 
     @property
-    def _terms_of_bends(self) -> tuple[AddWork, ...]:
-        """The terms of the work that belong to dots, as in `Work` after stretching."""
-        return self._add_bending, self._add_travel
+    def _terms_of_bends(self) -> tuple[TakeWork, ...]:
+        """The terms of the work that belong to dots, as in `Work` after stretching; the first one overwrites."""
+        return self._fill_bending, self._add_travel
 
-    def _add_bending(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
-        """Add the bending work of the dots of a window, whose columns are these vertices of the first wire."""
+    def _fill_bending(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
+        """Fill in the bending work of the dots of a window, whose columns are these vertices of the first wire."""
         c = self.constants
         smooth = c.k_b * SMOOTH_SHARE if c.smoothing else 0.0
-        if c.k_b or c.p_b:
-            self._fill(self._corners, c.k_b - smooth, c.p_b, columns, window, bends)
+        weight = self.weight[columns]
+        if c.bending == "turn":
+            bending = Bending(c, c.k_b - smooth, c.p_b, smooth)
+            fill_bends(*self._corners, bending, columns, weight, window, bends)
+            return
+        fill_bends(*self._corners, Bending(c, c.k_b - smooth, c.p_b), columns, weight, window, bends)
         if smooth:
-            self._fill(self._smooth_corners, smooth, 0.0, columns, window, bends)
+            more = np.empty_like(bends)
+            fill_bends(*self._smooth_corners, Bending(c, smooth, 0.0), columns, weight, window, more)
+            bends += more
 
-    def _fill(
-        self,
-        corners: tuple[Corners, Corners],
-        k_b: float,
-        p_b: float,
-        columns: IntArray,
-        window: Window,
-        bends: FloatArray,
-    ) -> None:
-        bending = Bending(self.constants, k_b, p_b)
-        fill_bends(*corners, bending, columns, self.weight[columns], window, bends)
+    def _fill_zeros(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
+        """Count the angles that reach zero."""
+        bending = Bending(self.constants, 0.0, 1.0)
+        fill_bends(*self._corners, bending, columns, self.weight[columns], window, bends)
 
     def _add_travel(self, columns: IntArray, window: Window, bends: FloatArray) -> None:
         if self.constants.k_t:
@@ -229,8 +232,7 @@ class Wires:
         stretching = stiff * stretching_work(
             self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
         )
-        zero_angles = partial(self._fill, self._corners, 0.0, 1.0)
-        *terms, zeros = self._bends_along(at, kinds, *self._terms_of_bends, zero_angles)
+        *terms, zeros = self._bends_along(at, kinds, *self._terms_of_bends, self._fill_zeros)
         work = Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
         return work, int(zeros.sum())
 
@@ -241,7 +243,7 @@ class Wires:
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
         """Return the dots of a path (see `price`) that have an angle, their bends, and the bending work of each."""
         _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, self._add_bending)[0]
+        return at, kinds, self._bends_along(at, kinds, self._fill_bending)[0]
 
     def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
         """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
@@ -260,15 +262,15 @@ class Wires:
             )
         return start, moves, at, kinds
 
-    def _bends_along(self, at: IntArray, kinds: IntArray, *terms: AddWork) -> list[FloatArray]:
+    def _bends_along(self, at: IntArray, kinds: IntArray, *terms: TakeWork) -> list[FloatArray]:
         """Return terms of the work of a bend at each dot."""
         numbers = np.arange(len(at))
         columns, rows = at[:, 0].copy(), at[:, 1].copy()
         window = Window(rows, rows, numbers)
         found = []
-        for add in terms:
+        for take in terms:
             bends = np.zeros((len(at), 7))
             if len(at):
-                add(columns, window, bends)
+                take(columns, window, bends)
             found.append(bends[numbers, kinds])
         return found

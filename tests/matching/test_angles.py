@@ -201,4 +201,3 @@ def test_turns_alone_are_those_of_all_angles(rng):
     for closed in (True, False):
         turn = angles.Corners(vertices, closed).turn
         assert np.array_equal(angles.turns(vertices, closed), turn)
-        assert np.array_equal(angles.Corners(vertices, closed, True).turn, turn)
