@@ -15,9 +15,9 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
-    from cython.cimports.libc.math import sqrt
+    from cython.cimports.libc.math import floor, fmod, sqrt
 else:
-    from math import sqrt
+    from math import floor, fmod, sqrt
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
@@ -51,6 +51,85 @@ def cumulative_lengths(points: ComplexArray) -> FloatArray:
     lengths = np.zeros(len(points))
     np.cumsum(np.abs(points[1:] - points[:-1]), out=lengths[1:])
     return lengths
+
+
+def interpolated(
+    values: FloatArray, known: FloatArray, results: FloatArray, closed: bool = False
+) -> FloatArray:
+    """Return what `numpy.interp` does, sooner where there are few values.
+
+    Parameters
+    ----------
+    values : (k,) float
+    known, results : (n,) float
+        The results at known values, which rise.
+    closed : bool
+        Both go on beyond the last one as from 0, again and again.
+
+    Examples
+    --------
+    >>> interpolated(np.array([0.5, 3.5]), np.array([0.0, 1.0, 3.0]), np.array([0.0, 10.0, 20.0])).tolist()
+    [5.0, 20.0]
+    >>> interpolated(np.array([0.5, 3.5]), np.array([0.0, 1.0, 3.0]), np.array([0.0, 10.0, 20.0]), True).tolist()
+    [5.0, 25.0]
+    """
+    found = np.empty(len(values))
+    _interpolate(values, known, results, closed, found)
+    return found
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _interpolate(
+    values: cython.const[cython.double][:],
+    known: cython.const[cython.double][:],
+    results: cython.const[cython.double][:],
+    closed: cython.bint,
+    found: cython.double[::1],
+) -> None:
+    """Fill in the results at values; the search begins where the last one ended."""
+    last: cython.Py_ssize_t = known.shape[0] - 1
+    end: cython.double = known[last]
+    at: cython.Py_ssize_t = 0
+    k: cython.Py_ssize_t
+    for k in range(values.shape[0]):
+        value: cython.double = values[k]
+        lift: cython.double = 0.0
+        if closed and not 0.0 <= value < end:
+            # Whole rounds, as `numpy.floor_divide` has them.
+            rest: cython.double = fmod(value, end)
+            rounds: cython.double = (value - rest) / end
+            if rest < 0.0:
+                rounds -= 1.0
+            whole: cython.double = floor(rounds)
+            rounds = whole + 1.0 if rounds - whole > 0.5 else whole
+            lift = rounds * results[last]
+            value -= rounds * end
+        if value < known[0]:
+            found[k] = lift + results[0]
+            continue
+        # The last known value that is no greater.
+        if known[at] > value:
+            at = 0
+        beyond: cython.Py_ssize_t = at + 1
+        step: cython.Py_ssize_t = 1
+        while beyond <= last and known[beyond] <= value:
+            at = beyond
+            step *= 2
+            beyond += step
+        beyond = min(beyond, last + 1)
+        while at + 1 < beyond:
+            middle: cython.Py_ssize_t = (at + beyond) // 2
+            if known[middle] <= value:
+                at = middle
+            else:
+                beyond = middle
+        result: cython.double = results[at]
+        if at < last and known[at] != value:
+            slope: cython.double = (results[at + 1] - results[at]) / (known[at + 1] - known[at])
+            result = slope * (value - known[at]) + results[at]
+        found[k] = lift + result
 
 
 def points_at(positions: FloatArray, points: ComplexArray, known: FloatArray) -> ComplexArray:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.polyline import interpolated
 from shapeblend_cli.interpolate.parametrization import ContourParameter, is_among
 from shapeblend_cli.model import unroll
 
@@ -67,7 +68,7 @@ class ContinuousMatch:
         """Return positions on A, side 0, or B, side 1, with the corresponding positions on the other, (k, 2) float."""
         sides = self.a, self.b
         known = self.lengths
-        lengths = np.interp(sides[side].length_at(positions), known[side], known[1 - side])
+        lengths = interpolated(sides[side].length_at(positions), known[side], known[1 - side])
         partners = sides[1 - side].position_at(lengths)
         return np.stack([positions, partners] if side == 0 else [partners, positions], axis=1)
 

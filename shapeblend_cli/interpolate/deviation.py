@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import add_distances
+from shapeblend_cli.geometry.polyline import add_distances, interpolated
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
@@ -57,10 +57,10 @@ def deviation(
         curves, curve_lengths, polygons, polygon_lengths, strict=True
     ):
         # Lengths along both, made equal at the cuts.
-        polygon_at_cuts = np.interp(cut_progress, progress, length_polygon)
+        polygon_at_cuts = interpolated(cut_progress, progress, length_polygon)
         curve_at_cuts = length_curve[curve_cuts]
-        on_curve = np.interp(length_polygon, polygon_at_cuts, curve_at_cuts)
-        on_polygon = np.interp(length_curve, curve_at_cuts, polygon_at_cuts)
+        on_curve = interpolated(length_polygon, polygon_at_cuts, curve_at_cuts)
+        on_polygon = interpolated(length_curve, curve_at_cuts, polygon_at_cuts)
         add_distances(polygon, curve, on_curve, length_curve, match.a.closed, True, far)
         add_distances(curve, polygon, on_polygon, length_polygon, match.a.closed, False, far)
     return far

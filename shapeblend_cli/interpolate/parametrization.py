@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import edge_parts
-from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.polyline import cumulative_lengths, interpolated
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -34,6 +34,8 @@ class ContourParameter:
         The segment of each edge of the polygon; as many edges as vertices if closed, else one less.
     start, end : (e,) float
         The edge's parameters on that segment.
+    numbers : (e + 1,) float
+        The vertices' own numbers as positions, rising.
     lengths : (e + 1,) float
         Length of the polygon up to each vertex.
     node, corner : (e + 1,) bool
@@ -47,6 +49,7 @@ class ContourParameter:
     segment: IntArray
     start: FloatArray
     end: FloatArray
+    numbers: FloatArray
     lengths: FloatArray
     node: BoolArray
     corner: BoolArray
@@ -71,18 +74,13 @@ class ContourParameter:
 
     def length_at(self, positions: FloatArray) -> FloatArray:
         """Return the length of the polygon from vertex 0 to each position."""
-        return self._interpolate(positions, np.arange(self.count + 1.0), self.lengths)
+        return interpolated(positions, self.numbers, self.lengths, self.closed)
 
     def position_at(self, lengths: FloatArray) -> FloatArray:
         """Return the positions at which the polygon has these lengths; at vertices, whole numbers."""
-        positions = self._interpolate(lengths, self.lengths, np.arange(self.count + 1.0))
+        positions = interpolated(lengths, self.lengths, self.numbers, self.closed)
         whole = np.rint(positions)
         return np.where(np.abs(positions - whole) < 1e-7, whole, positions)
-
-    def _interpolate(self, values: FloatArray, x: FloatArray, y: FloatArray) -> FloatArray:
-        """Map values linearly from x to y, which repeat on a closed contour."""
-        rounds = np.floor_divide(values, x[-1]) if self.closed else np.zeros_like(values)
-        return rounds * y[-1] + np.interp(values - rounds * x[-1], x, y)
 
     def points(self, positions: FloatArray) -> ComplexArray:
         """Return the contour's points at positions: on the curve, also between vertices."""
@@ -134,8 +132,9 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     corner[-1] = corner[0]
     if not closed:
         corner[[0, -1]] = True
+    own_numbers = np.arange(count + 1.0)
     return ContourParameter(
-        segments, contour.straight, vertices, closed, segment, start, end, lengths, node, corner
+        segments, contour.straight, vertices, closed, segment, start, end, own_numbers, lengths, node, corner
     )
 
 

@@ -32,6 +32,25 @@ def test_the_edges_of_a_closed_line_go_round():
     assert far.tolist() == [0.25]
 
 
+def test_values_between_known_ones_are_those_of_numpy_round_after_round(rng, load_uncompiled):
+    for module in (polyline, load_uncompiled("shapeblend_cli.geometry.polyline")):
+        for count in (2, 3, 40):
+            known = np.append(0.0, rng.random(count - 1).cumsum())
+            if count > 3:
+                known[2] = known[1]
+            results, end = rng.normal(size=count), known[-1]
+            values = np.concatenate([known, known + end, known - 3.0 * end, rng.normal(size=60) * end])
+            found = module.interpolated(values, known, results)
+            np.testing.assert_allclose(found, np.interp(values, known, results), rtol=1e-14, atol=1e-14)
+            rounds = np.floor_divide(values, end)
+            expected = rounds * results[-1] + np.interp(values - rounds * end, known, results)
+            repeated = module.interpolated(values, known, results, True)
+            np.testing.assert_allclose(repeated, expected, rtol=1e-14, atol=1e-14)
+            if module is not polyline:
+                assert np.array_equal(found, polyline.interpolated(values, known, results))
+                assert np.array_equal(repeated, polyline.interpolated(values, known, results, True))
+
+
 def test_tied_values_solve_their_system_the_same_compiled_and_uncompiled(rng, load_uncompiled):
     beside = rng.uniform(0.1, 2.0, 39)
     diagonal = np.append(beside, 0.0) + np.append(0.0, beside) + rng.uniform(0.01, 1.0, 40)
