@@ -339,6 +339,87 @@ class Bending:
 
     @cython.cfunc
     @cython.exceptval(check=False)
+    def fill_turning(
+        self,
+        stiffness: cython.double,
+        p: Corners,
+        i: cython.Py_ssize_t,
+        q: Corners,
+        j: cython.Py_ssize_t,
+        work: cython.double[:, ::1],
+        first: cython.Py_ssize_t,
+        beyond: cython.Py_ssize_t,
+    ) -> cython.void:
+        """Fill in the work of bending by turning at the dots of a column, from vertex j of the second wire on.
+
+        Where both wires go on within half a round, in and out, no angle on the way between them is zero. Among
+        coincident vertices on both sides of a dot, where the limit of the angle counts, it may still be.
+        """
+        cython.declare(k=cython.Py_ssize_t, rests=cython.int, x1=cython.double)
+        n: cython.Py_ssize_t = q.turn.shape[0]
+        e_b: cython.double = self.e_b
+        p_b: cython.double = self.p_b
+        # Where there is no factor, the power may be infinite.
+        k_b: cython.double = self.k_b * stiffness
+        k_smooth: cython.double = self.k_smooth * stiffness
+        turn: cython.double = p.turn[i]
+        smooth: cython.double = p.smooth_turn[i]
+        alone: cython.double = _power(k_b, e_b, fabs(turn)) if k_b != 0.0 else 0.0
+        smooth_alone: cython.double = _power(k_smooth, e_b, fabs(smooth)) if k_smooth != 0.0 else 0.0
+        heading: cython.double = p.heading[i]
+        least: cython.double = p.least_turn[i]
+        most: cython.double = p.most_turn[i]
+        x0: cython.double = p.ahead[i]
+        y0: cython.double = p.aside[i]
+        apart, along, base = p.apart[i], p.along[i], p.base[i]
+        for k in range(first, beyond):
+            ee: cython.double = alone
+            ed: cython.double = 0.0
+            de: cython.double = 0.0
+            ss: cython.double = 0.0
+            sd: cython.double = 0.0
+            ds: cython.double = 0.0
+            dd: cython.double = 0.0
+            if k_b != 0.0:
+                other: cython.double = q.turn[j]
+                beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
+                other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
+                ed, de, ss = ed + beside, de + beside, ss + _power(k_b, e_b, fabs(other))
+                sd, ds, dd = sd + other_beside, ds + other_beside, dd + _power(k_b, e_b, fabs(turn - other))
+            if p_b != 0.0:
+                q_base = q.base[j]
+                x1 = _dot(q_base, apart)
+                if x0 >= 0.0 or x1 >= 0.0:
+                    rests = _meets_zero_inside(x0, y0, x1, _cross(q_base, along))
+                    ee += self.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
+                x1 = _dot(base, q.apart[j])
+                if q.ahead[j] >= 0.0 or x1 >= 0.0:
+                    rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
+                    ss += self.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
+                ahead: cython.double = _short_way(q.heading[j] - heading)
+                low: cython.double = min(least, ahead + q.least_turn[j])
+                high: cython.double = max(most, ahead + q.most_turn[j])
+                if high - low >= PI - HALF_ROUND_NOISE:
+                    ed += self.at_run(0.0, p.theta[i], _out_of_run(p, i, q, j))
+                    de += self.at_run(0.0, p.theta[i], _into_run(p, i, q, j))
+                    sd += self.at_run(0.0, q.theta[j], _out_of_run(q, j, p, i))
+                    ds += self.at_run(0.0, q.theta[j], _into_run(q, j, p, i))
+                    dd += self.moving(0.0, p, i, q, j)
+            if k_smooth != 0.0:
+                other = q.smooth_turn[j]
+                beside = _power(k_smooth, e_b, fabs(smooth - 0.5 * other))
+                other_beside = _power(k_smooth, e_b, fabs(other - 0.5 * smooth))
+                ed, de, ss = ed + beside, de + beside, ss + _power(k_smooth, e_b, fabs(other))
+                sd, ds = sd + other_beside, ds + other_beside
+                dd += _power(k_smooth, e_b, fabs(smooth - other))
+            work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed, de
+            work[k, SS], work[k, SD], work[k, DS], work[k, DD] = ss, sd, ds, dd
+            j += 1
+            if j == n:
+                j = 0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
     def of_motion(
         self,
         k_b: cython.double,
@@ -531,92 +612,10 @@ def fill_bends(
         i, j, first = vertices[c], low[c] % n, column_offset[c]
         beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
         if bending.by_turning:
-            _fill_turning(bending, stiffness[c], p, i, q, j, work, first, beyond)
+            bending.fill_turning(stiffness[c], p, i, q, j, work, first, beyond)
             continue
         for k in range(first, beyond):
             bending.fill_motions(bending.k_b * stiffness[c], p, i, q, j, work, k)
             j += 1
             if j == n:
                 j = 0
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
-def _fill_turning(
-    bending: Bending,
-    stiffness: cython.double,
-    p: Corners,
-    i: cython.Py_ssize_t,
-    q: Corners,
-    j: cython.Py_ssize_t,
-    work: cython.double[:, ::1],
-    first: cython.Py_ssize_t,
-    beyond: cython.Py_ssize_t,
-) -> cython.void:
-    """Fill in the work of bending by turning at the dots of a column, from vertex j of the second wire on.
-
-    Where both wires go on within half a round, in and out, no angle on the way between them is zero. Among coincident
-    vertices on both sides of a dot, where the limit of the angle counts, it may still be.
-    """
-    cython.declare(k=cython.Py_ssize_t, rests=cython.int, x1=cython.double)
-    n: cython.Py_ssize_t = q.turn.shape[0]
-    e_b: cython.double = bending.e_b
-    p_b: cython.double = bending.p_b
-    # Where there is no factor, the power may be infinite.
-    k_b: cython.double = bending.k_b * stiffness
-    k_smooth: cython.double = bending.k_smooth * stiffness
-    turn: cython.double = p.turn[i]
-    smooth: cython.double = p.smooth_turn[i]
-    alone: cython.double = _power(k_b, e_b, fabs(turn)) if k_b != 0.0 else 0.0
-    smooth_alone: cython.double = _power(k_smooth, e_b, fabs(smooth)) if k_smooth != 0.0 else 0.0
-    heading: cython.double = p.heading[i]
-    least: cython.double = p.least_turn[i]
-    most: cython.double = p.most_turn[i]
-    x0: cython.double = p.ahead[i]
-    y0: cython.double = p.aside[i]
-    apart, along, base = p.apart[i], p.along[i], p.base[i]
-    for k in range(first, beyond):
-        ee: cython.double = alone
-        ed: cython.double = 0.0
-        de: cython.double = 0.0
-        ss: cython.double = 0.0
-        sd: cython.double = 0.0
-        ds: cython.double = 0.0
-        dd: cython.double = 0.0
-        if k_b != 0.0:
-            other: cython.double = q.turn[j]
-            beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
-            other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
-            ed, de, ss = ed + beside, de + beside, ss + _power(k_b, e_b, fabs(other))
-            sd, ds, dd = sd + other_beside, ds + other_beside, dd + _power(k_b, e_b, fabs(turn - other))
-        if p_b != 0.0:
-            q_base = q.base[j]
-            x1 = _dot(q_base, apart)
-            if x0 >= 0.0 or x1 >= 0.0:
-                rests = _meets_zero_inside(x0, y0, x1, _cross(q_base, along))
-                ee += bending.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
-            x1 = _dot(base, q.apart[j])
-            if q.ahead[j] >= 0.0 or x1 >= 0.0:
-                rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
-                ss += bending.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
-            ahead: cython.double = _short_way(q.heading[j] - heading)
-            low: cython.double = min(least, ahead + q.least_turn[j])
-            high: cython.double = max(most, ahead + q.most_turn[j])
-            if high - low >= PI - HALF_ROUND_NOISE:
-                ed += bending.at_run(0.0, p.theta[i], _out_of_run(p, i, q, j))
-                de += bending.at_run(0.0, p.theta[i], _into_run(p, i, q, j))
-                sd += bending.at_run(0.0, q.theta[j], _out_of_run(q, j, p, i))
-                ds += bending.at_run(0.0, q.theta[j], _into_run(q, j, p, i))
-                dd += bending.moving(0.0, p, i, q, j)
-        if k_smooth != 0.0:
-            other = q.smooth_turn[j]
-            beside = _power(k_smooth, e_b, fabs(smooth - 0.5 * other))
-            other_beside = _power(k_smooth, e_b, fabs(other - 0.5 * smooth))
-            ed, de, ss = ed + beside, de + beside, ss + _power(k_smooth, e_b, fabs(other))
-            sd, ds = sd + other_beside, ds + other_beside
-            dd += _power(k_smooth, e_b, fabs(smooth - other))
-        work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed, de
-        work[k, SS], work[k, SD], work[k, DS], work[k, DD] = ss, sd, ds, dd
-        j += 1
-        if j == n:
-            j = 0
