@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import from_end_to_end
-from shapeblend_cli.model import Box
 
 try:
     import cython
@@ -27,9 +26,9 @@ except ImportError:  # Cython is needed to build, not to run
 
 if cython.compiled:
     from cython.cimports.cpython.exc import PyErr_CheckSignals as look_for_signals
-    from cython.cimports.libc.math import fabs, sqrt
+    from cython.cimports.libc.math import ceil, fabs, sqrt
 else:
-    from math import fabs, sqrt
+    from math import ceil, fabs, sqrt
 
     from shapeblend_cli._cython import look_for_signals
 
@@ -40,7 +39,7 @@ if TYPE_CHECKING:
 
 COMPILED = cython.compiled
 
-CHORD_ERROR = 1e-6
+CHORD_ERROR = cython.declare(cython.double, 1e-6)
 """Maximum deviation of chords from their curve, as a share of the larger side of the box around all paths."""
 
 NOISE = 1e-9
@@ -94,32 +93,41 @@ def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:
     if not paths:
         return 0
     segments = np.concatenate([path.segments for path in paths])
-    closed, lengths = [path.closed for path in paths], np.array([len(path.segments) for path in paths])
-    bends = np.abs(segments[:, :2] - 2.0 * segments[:, 1:3] + segments[:, 2:]).max(axis=1)
-    bends[np.concatenate([path.straight for path in paths])] = 0.0
-    tolerance = CHORD_ERROR * Box.around(segments).larger_side
-    if tolerance == 0.0:
+    straight = np.concatenate([path.straight for path in paths])
+    closed = np.array([path.closed for path in paths])
+    ends = np.array([len(path.segments) for path in paths]).cumsum()
+    coordinates, counts = segments.view(np.float64), np.empty(len(segments), np.intp)
+    pieces = _count_chords(coordinates, straight.view(np.uint8), counts)
+    if pieces == 0:
         return 0
-    # A piece of 1/n of a segment deviates from its chord by at most 1/8 of its second derivative over n^2.
-    counts = np.maximum(np.ceil(np.sqrt(0.75 / tolerance * bends)).astype(np.intp), 1)
     # Every segment gives the starts of its pieces, and the last one of a path its end as well.
-    last = np.cumsum(lengths) - 1
-    before = np.cumsum(counts)
-    starts = np.concatenate([[0], before[last] + np.arange(1, len(lengths) + 1)])
-    points = np.empty(int(counts.sum()) + len(lengths), np.complex128)
-    places = before - counts + np.repeat(np.arange(len(lengths)), lengths)
-    _cut_into_chords(segments.view(np.float64), counts, places, points.view(np.float64))
-    # Rounding may have left the end of a closed one beside its start.
-    points[starts[1:] - 1] = np.where(closed, segments[last + 1 - lengths, 0], segments[last, 3])
-    return _count(points, starts, 4.0 * CHORD_ERROR if counts.max() > 1 else NOISE, most)
+    points = np.empty(pieces + len(paths), np.complex128)
+    starts = np.zeros(len(paths) + 1, np.intp)
+    _cut_into_chords(coordinates, counts, ends, closed.view(np.uint8), points.view(np.float64), starts)
+    return _count(points, starts, 4.0 * CHORD_ERROR if pieces > len(counts) else NOISE, most)
 
 
 def _count(points: ComplexArray, starts: IntArray, noise: float, most: int | None) -> int:
     """Count the crossings of chains, with noise as a share of their size."""
-    size = Box.around(points).larger_side
-    noise = max(noise * size, ROUNDING * float(np.abs(points).max()))
-    chains = _Chains(points, starts, noise, REACH * size)
+    size, farthest = _extent(points)
+    chains = _Chains(points, starts, max(noise * size, ROUNDING * farthest), REACH * size)
     return _count_crossings(chains, len(points) ** 2 if most is None else most)
+
+
+def _extent(points: cython.doublecomplex[::1]) -> tuple[float, float]:
+    """Return the larger side of the box around points, and the largest distance of a point from the origin."""
+    left: cython.double = points[0].real
+    top: cython.double = points[0].imag
+    right: cython.double = left
+    bottom: cython.double = top
+    farthest: cython.double = 0.0
+    k: cython.Py_ssize_t
+    for k in range(points.shape[0]):
+        x: cython.double = points[k].real
+        y: cython.double = points[k].imag
+        left, right, top, bottom = min(left, x), max(right, x), min(top, y), max(bottom, y)
+        farthest = max(farthest, x * x + y * y)
+    return max(right - left, bottom - top), sqrt(farthest)
 
 
 @cython.cclass
@@ -190,25 +198,74 @@ def _is_longer(z: cython.doublecomplex, distance: cython.double) -> cython.bint:
 
 
 @cython.cfunc
+def _count_chords(
+    segments: cython.double[:, ::1], straight: cython.uchar[::1], counts: cython.Py_ssize_t[::1]
+) -> cython.Py_ssize_t:
+    """Fill in the number of chords of each cubic, and return the number of all; 0 where all is one point.
+
+    Points are x and y in turn. A piece of 1/n of a segment deviates from its chord by at most 1/8 of its second
+    derivative over n^2.
+    """
+    cython.declare(k=cython.Py_ssize_t, i=cython.Py_ssize_t, pieces=cython.Py_ssize_t)
+    left: cython.double = segments[0, 0]
+    top: cython.double = segments[0, 1]
+    right: cython.double = left
+    bottom: cython.double = top
+    for k in range(segments.shape[0]):
+        for i in range(0, 8, 2):
+            left, right = min(left, segments[k, i]), max(right, segments[k, i])
+            top, bottom = min(top, segments[k, i + 1]), max(bottom, segments[k, i + 1])
+    tolerance: cython.double = CHORD_ERROR * max(right - left, bottom - top)
+    if tolerance == 0.0:
+        return 0
+    pieces = 0
+    for k in range(segments.shape[0]):
+        bend: cython.double = 0.0
+        for i in range(0, 4, 2):
+            x: cython.double = segments[k, i] - 2.0 * segments[k, i + 2] + segments[k, i + 4]
+            y: cython.double = segments[k, i + 1] - 2.0 * segments[k, i + 3] + segments[k, i + 5]
+            bend = max(bend, x * x + y * y)
+        wanted: cython.double = 1.0 if straight[k] else ceil(sqrt(0.75 / tolerance * sqrt(bend)))
+        counts[k] = max(1, cython.cast(cython.Py_ssize_t, wanted))
+        pieces += counts[k]
+    return pieces
+
+
+@cython.cfunc
 def _cut_into_chords(
     segments: cython.double[:, ::1],
     counts: cython.Py_ssize_t[::1],
-    places: cython.Py_ssize_t[::1],
+    ends: cython.Py_ssize_t[::1],
+    closed: cython.uchar[::1],
     points: cython.double[::1],
+    starts: cython.Py_ssize_t[::1],
 ) -> None:
-    """Cut each cubic into a number of pieces of equal parameter, and write their starts into `points` from a place on.
+    """Cut each cubic into a number of pieces of equal parameter, and write the points and starts of chains.
 
-    All points are x and y in turn.
+    Points are x and y in turn; `ends` are the numbers of segments up to the end of each path.
     """
-    cython.declare(k=cython.Py_ssize_t, n=cython.Py_ssize_t, at=cython.Py_ssize_t)
-    for k in range(segments.shape[0]):
-        for n in range(counts[k]):
-            t = cython.cast(cython.double, n) / counts[k]
-            u = 1.0 - t
-            a, b, c, d = u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t
-            at = 2 * (places[k] + n)
-            points[at] = a * segments[k, 0] + b * segments[k, 2] + c * segments[k, 4] + d * segments[k, 6]
-            points[at + 1] = a * segments[k, 1] + b * segments[k, 3] + c * segments[k, 5] + d * segments[k, 7]
+    cython.declare(k=cython.Py_ssize_t, n=cython.Py_ssize_t, path=cython.Py_ssize_t, first=cython.Py_ssize_t)
+    at: cython.Py_ssize_t = 0
+    first = 0
+    for path in range(ends.shape[0]):
+        for k in range(first, ends[path]):
+            for n in range(counts[k]):
+                t = cython.cast(cython.double, n) / counts[k]
+                u = 1.0 - t
+                a, b, c, d = u * u * u, 3.0 * u * u * t, 3.0 * u * t * t, t * t * t
+                x = a * segments[k, 0] + b * segments[k, 2] + c * segments[k, 4] + d * segments[k, 6]
+                y = a * segments[k, 1] + b * segments[k, 3] + c * segments[k, 5] + d * segments[k, 7]
+                points[at], points[at + 1] = x, y
+                at += 2
+        # Rounding may have left the end of a closed one beside its start.
+        if closed[path]:
+            points[at], points[at + 1] = segments[first, 0], segments[first, 1]
+        else:
+            k = ends[path] - 1
+            points[at], points[at + 1] = segments[k, 6], segments[k, 7]
+        at += 2
+        first = ends[path]
+        starts[path + 1] = at // 2
 
 
 @cython.cfunc
