@@ -6,6 +6,7 @@ Problem", Computer Graphics (Proceedings of SIGGRAPH 93), 1993, pages 15-18.
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 LEAST_CHANGE = 0.2
 """Minimum relative change of length in an edge's compliance, the paper's ``L_tol``."""
+
+MOST_KNOWN = 1 << 16
+"""Maximum number of control points of a motion that are kept, at all times together: a megabyte."""
 
 POINT = 1e-9
 """Maximum length of an edge that counts as a point, as a share of the chain's length."""
@@ -75,11 +79,13 @@ class MovingPolygon(NamedTuple):
         return points + (position - (self.weight * points).sum())
 
 
-class Intrinsic(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Intrinsic:
     """Motion in which lengths of edges and the angles between them change evenly; `intrinsic` makes it."""
 
     alignment: Alignment
     polygons: tuple[MovingPolygon | None, ...]  # of each contour; None for rigid motion
+    _known: dict[float, list[ComplexArray]] = field(default_factory=dict, repr=False)  # segments by time
 
     @property
     def name(self) -> str:
@@ -88,6 +94,15 @@ class Intrinsic(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t, of the contours that this was made of."""
+        if t not in self._known:
+            # The judge, the check for crossings and animations ask for the same times.
+            found = self._segments(contours, t)
+            if (len(self._known) + 1) * sum(segments.size for segments in found) > MOST_KNOWN:
+                self._known.clear()
+            self._known[t] = found
+        return list(self._known[t])
+
+    def _segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         every = []
         for contour, polygon in zip(contours, self.polygons, strict=True):
             if polygon is None:
@@ -100,6 +115,8 @@ class Intrinsic(NamedTuple):
             lines[:, 1], lines[:, 2] = lines[:, 0] + chord / 3.0, lines[:, 0] + chord * (2.0 / 3.0)
             segments[straight] = lines
             every.append(segments)
+        for segments in every:
+            segments.setflags(write=False)
         return every
 
 
