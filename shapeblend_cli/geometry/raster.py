@@ -55,41 +55,79 @@ def winding_grid(
     (side, side) int
         A row for each y; positive where a polygon runs from x towards y.
     """
-    # At each crossing of an edge and a row the number changes for all points of the row beyond it.
-    changes = np.zeros((side, side + 1), np.intc)
-    p, q = (starts - corner) / step - (0.5 + 0.5j), (ends - corner) / step - (0.5 + 0.5j)
-    x0, y0, x1, y1 = (np.ascontiguousarray(one) for one in (p.real, p.imag, q.real, q.imag))
-    _add_crossings(x0, y0, x1, y1, changes)
-    return changes.cumsum(axis=1)[:, :side]
+    numbers = np.zeros((side, side + 1), np.intc)
+    _wind(starts, ends, corner, 1.0 / step, numbers)
+    return numbers[:, :side]  # type: ignore[return-value]
 
 
-def _add_crossings(
-    x0: cython.double[::1],
-    y0: cython.double[::1],
-    x1: cython.double[::1],
-    y1: cython.double[::1],
-    changes: cython.int[:, ::1],
+def _wind(
+    starts: cython.const[cython.doublecomplex][:],
+    ends: cython.const[cython.doublecomplex][:],
+    corner: cython.doublecomplex,
+    scale: cython.double,
+    numbers: cython.int[:, ::1],
 ) -> None:
-    """Add the changes at crossings of each edge, in steps of the grid; rows and columns lie on whole numbers."""
-    side: cython.Py_ssize_t = changes.shape[0]
+    """Fill in the winding numbers; `scale` is the number of steps in a unit.
+
+    At each crossing of an edge and a row the number changes for all points of the row beyond it.
+    """
+    side: cython.Py_ssize_t = numbers.shape[0]
     k: cython.Py_ssize_t
     row: cython.Py_ssize_t
     first: cython.Py_ssize_t
     last: cython.Py_ssize_t
-    for k in range(x0.shape[0]):
-        change: cython.int = -1 if y1[k] > y0[k] else 1
-        low: cython.double = min(y0[k], y1[k])
-        high: cython.double = max(y0[k], y1[k])
+    for k in range(starts.shape[0]):
+        # In steps of the grid, whose rows and columns lie on whole numbers.
+        x0: cython.double = (starts[k].real - corner.real) * scale - 0.5
+        y0: cython.double = (starts[k].imag - corner.imag) * scale - 0.5
+        x1: cython.double = (ends[k].real - corner.real) * scale - 0.5
+        y1: cython.double = (ends[k].imag - corner.imag) * scale - 0.5
+        change: cython.int = -1 if y1 > y0 else 1
+        low: cython.double = min(y0, y1)
+        high: cython.double = max(y0, y1)
         if high <= 0.0 or low > side - 1:
             continue
         first = 0 if low <= 0.0 else cython.cast(cython.Py_ssize_t, ceil(low))
         last = side if high > side - 1 else cython.cast(cython.Py_ssize_t, ceil(high))
         for row in range(first, last):
-            x: cython.double = x0[k] + (row - y0[k]) * (x1[k] - x0[k]) / (y1[k] - y0[k])
+            x: cython.double = x0 + (row - y0) * (x1 - x0) / (y1 - y0)
             if x <= 0.0:
-                changes[row, 0] += change
+                numbers[row, 0] += change
             elif x <= side - 1:
-                changes[row, cython.cast(cython.Py_ssize_t, ceil(x))] += change
+                numbers[row, cython.cast(cython.Py_ssize_t, ceil(x))] += change
+    for row in range(side):
+        for k in range(1, side):
+            numbers[row, k] += numbers[row, k - 1]
+
+
+def count_folds(numbers: cython.const[cython.int][:, :]) -> int:
+    """Return the number of points of a grid round which outlines wind the other way than round most, or twice."""
+    total: cython.Py_ssize_t = 0
+    wrong: cython.Py_ssize_t = 0
+    wrong_turned: cython.Py_ssize_t = 0
+    row: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for row in range(numbers.shape[0]):
+        for k in range(numbers.shape[1]):
+            number: cython.int = numbers[row, k]
+            total += number
+            wrong += (number < 0) | (number > 1)
+            wrong_turned += (number > 0) | (number < -1)
+    return wrong_turned if total < 0 else wrong
+
+
+def count_unlike(numbers: cython.const[cython.int][:, :]) -> tuple[int, int]:
+    """Return how many points of a grid are inside, or else outside, unlike their mirror images in x; and all inside."""
+    unlike: cython.Py_ssize_t = 0
+    inside: cython.Py_ssize_t = 0
+    last: cython.Py_ssize_t = numbers.shape[1] - 1
+    row: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for row in range(numbers.shape[0]):
+        for k in range(last + 1):
+            unlike += (numbers[row, k] != 0) != (numbers[row, last - k] != 0)
+            inside += numbers[row, k] != 0
+    return unlike, inside
 
 
 class Bands(NamedTuple):

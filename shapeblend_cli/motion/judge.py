@@ -7,11 +7,12 @@ their motion, their correspondence or their start. `docs/motion.md` has a pictur
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.geometry.raster import count_folds, count_unlike, winding_grid
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rigid import Rigid
@@ -270,7 +271,11 @@ class _Regions:
         step = box.larger_side / (SIDE - 2)
         left, top, right, bottom = box.bounds
         corner = 0.5 * complex(left + right, top + bottom) - 0.5 * SIDE * step * (1.0 + 1.0j)
-        return winding_grid(self.starts[k], self.ends[k], corner, step, SIDE), step * step
+        if k in (0, -1, STEPS):
+            grid = _grid_at_an_end(self.starts[k].tobytes(), self.ends[k].tobytes(), corner, step)
+        else:
+            grid = winding_grid(self.starts[k], self.ends[k], corner, step, SIDE)
+        return grid, step * step
 
     def difference(self) -> float:
         """Return the area in which both ends differ."""
@@ -286,8 +291,7 @@ class _Regions:
         for k, own in enumerate(self.own):
             if own is not None:
                 numbers, element = own
-                numbers = -numbers if numbers.sum() < 0 else numbers
-                wrong[k] = element * np.count_nonzero((numbers < 0) | (numbers > 1))
+                wrong[k] = element * count_folds(numbers)
         return float(np.maximum(wrong - max(wrong[0], wrong[-1]), 0.0)[INNER].mean())
 
     def asymmetry(self) -> float:
@@ -301,8 +305,16 @@ class _Regions:
         own = self.own[k]
         if own is None:
             return 1.0
-        filled = own[0] != 0
-        return 0.5 * float(np.count_nonzero(filled != filled[:, ::-1])) / max(int(filled.sum()), 1)
+        unlike, inside = count_unlike(own[0])
+        return 0.5 * float(unlike) / max(inside, 1)
+
+
+@lru_cache(maxsize=8)
+def _grid_at_an_end(starts: bytes, ends: bytes, corner: complex, step: float) -> IntArray:
+    """Return the winding numbers of a drawing, which are the same for all motions."""
+    return winding_grid(
+        np.frombuffer(starts, np.complex128), np.frombuffer(ends, np.complex128), corner, step, SIDE
+    )
 
 
 def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
@@ -327,22 +339,33 @@ def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
 
 def _widths_off(points: ComplexArray, place: FloatArray, lengths: FloatArray, closed: bool) -> float:
     """Return by how much the width of limbs is off, on average along the outline and over time."""
-    along = np.abs(place[:, None] - place)
-    if closed:
-        along = np.minimum(along, 1.0 - along)
     off = 0.0
     for end in (0, -1):
         length = float(lengths[end].sum())
-        across = np.abs(points[end, :, None] - points[end])
-        width = np.where(along * length > LEAST_ARC * across, across, np.inf)
-        opposite = width.argmin(axis=1)
-        probe = np.flatnonzero(width[np.arange(len(place)), opposite] < MOST_CHORD * length)
-        widths = np.abs(points[:, probe] - points[:, opposite[probe]])
+        probe, opposite = _opposite(points[end].tobytes(), place.tobytes(), length, closed)
+        widths = np.abs(points[:, probe] - points[:, opposite])
         thin, fat = np.minimum(widths[0], widths[-1]), np.maximum(widths[0], widths[-1])
         wrong = np.maximum(thin - widths, 0.0) + np.minimum(np.maximum(widths - fat, 0.0), fat)
         off += float(wrong[INNER].mean(axis=0).sum())
     # Both ends are asked, and both sides of each limb.
     return off / (4.0 * len(place))
+
+
+@lru_cache(maxsize=8)
+def _opposite(points: bytes, place: bytes, length: float, closed: bool) -> tuple[IntArray, IntArray]:
+    """Return the numbers of the probes on limbs of a drawing, and of those opposite; they are the same for all motions.
+
+    Given are the probes and their places along the outline, which has a length.
+    """
+    probes, places = np.frombuffer(points, np.complex128), np.frombuffer(place, np.float64)
+    along = np.abs(places[:, None] - places)
+    if closed:
+        along = np.minimum(along, 1.0 - along)
+    across = np.abs(probes[:, None] - probes)
+    width = np.where(along * length > LEAST_ARC * across, across, np.inf)
+    opposite = width.argmin(axis=1)
+    probe = np.flatnonzero(width[np.arange(len(places)), opposite] < MOST_CHORD * length)
+    return probe, opposite[probe]
 
 
 def _outside(outlines: Outlines, lengths: FloatArray, view: Box | None) -> float:
