@@ -18,7 +18,7 @@ from shapeblend_cli.motion.sweep import rightwards
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray
 
 GRID = 144
 """Number of points along the side of the rasters."""
@@ -84,9 +84,12 @@ SLIVER = 3
 
 def slash_axis(plain: Sequence[Contour], crossed: Sequence[Contour]) -> complex | None:
     """Return the direction of the slash that crosses out a drawing; None if that is not how the drawings differ."""
+    chords = _slanted_chords(crossed)
+    if not len(chords):
+        return None
     edges, centre, side = _framed(plain, crossed)
     size = max(float(np.ptp(edges[0][0].real)), float(np.ptp(edges[0][0].imag)))
-    for axis, along in _axes(crossed, side):
+    for axis, along in _axes(chords[np.abs(chords) > LEAST_EDGE * side]):
         before, after = _rasters(edges, centre, side, axis)
         least, most = (size * GRID / side for size in (LEAST_SLASH * size, along / EDGES))
         if _is_crossed_out(before, after, least, most):
@@ -125,14 +128,22 @@ def _edges(contours: Sequence[Contour]) -> tuple[ComplexArray, ComplexArray]:
     return ring_edges([cubics.polyline(each.segments, CURVE_POINTS) for each in contours])
 
 
-def _axes(contours: Sequence[Contour], side: float) -> list[tuple[complex, float]]:
-    """Return the directions in which most straight edges run, slanting ones only, with the length of these."""
+def _slanted_chords(contours: Sequence[Contour]) -> ComplexArray:
+    """Return the straight edges of outlines that are slanting, from their starts to their ends."""
     parts = [each.segments[each.straight][:, [0, 3]] for each in contours]
     chords = np.concatenate([part[:, 1] - part[:, 0] for part in parts])
-    chords = chords[np.abs(chords) > LEAST_EDGE * side]
-    angles = np.angle(chords) % np.pi
-    slanted = np.abs((angles + np.pi / 4.0) % (np.pi / 2.0) - np.pi / 4.0) >= LEAST_SLANT
-    angles, sizes = angles[slanted], np.abs(chords[slanted])
+    slant = np.abs((_angles(chords) + np.pi / 4.0) % (np.pi / 2.0) - np.pi / 4.0)
+    return chords[slant >= LEAST_SLANT]
+
+
+def _angles(chords: ComplexArray) -> FloatArray:
+    """Return the angles of edges, in [0, pi): either way along an edge is one."""
+    return np.angle(chords) % np.pi
+
+
+def _axes(chords: ComplexArray) -> list[tuple[complex, float]]:
+    """Return the directions in which most edges run, with the length of these."""
+    angles, sizes = _angles(chords), np.abs(chords)
     found: list[tuple[complex, float]] = []
     while len(angles) and len(found) < MOST_AXES:
         near = np.abs((angles[:, None] - angles + np.pi / 2.0) % np.pi - np.pi / 2.0) < SAME_AXIS
