@@ -159,6 +159,8 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
     Upright axes come before others.
     """
     axes_b = list(_axes(b))
+    if not axes_b:
+        return []
     common = [
         (axis, other if cosine > 0.0 else other.reversed())
         for axis in _axes(a)
@@ -191,7 +193,7 @@ def _axes(polygon: Polygon) -> Iterator[Axis]:
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
         away = [
             np.abs(points_at((2.0 * some[:, None] - even) % 1.0, outline, places) - images).max(axis=1)
-            for some in np.array_split(met, 1 + len(met) // AT_ONCE)
+            for some in (np.array_split(met, 1 + len(met) // AT_ONCE) if len(met) > AT_ONCE else [met])
         ]
         off = np.concatenate(away)
         if len(off) and off.min() <= tolerance:
