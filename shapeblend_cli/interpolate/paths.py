@@ -42,11 +42,11 @@ def paths_at(shape: ShapeBlend, t: float) -> tuple[CubicPath, ...]:
     """
     return tuple(
         CubicPath(segments, contour.start.straight, contour.start.closed)
-        for contour, segments in zip(shape.contours, _segments_at(shape, t), strict=True)
+        for contour, segments in zip(shape.contours, segments_at(shape, t), strict=True)
     )
 
 
-def _segments_at(shape: ShapeBlend, t: float) -> list[ComplexArray]:
+def segments_at(shape: ShapeBlend, t: float) -> list[ComplexArray]:
     """Return the control points of a shape's paths at time t."""
     t = shape.own_time(t)
     if shape.motion_name == "sweep":  # it ends at the drawings
@@ -101,7 +101,7 @@ def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[f
 
     @cache
     def at(t: float) -> ComplexArray:
-        return np.concatenate(_segments_at(shape, t))
+        return np.concatenate(segments_at(shape, t))
 
     def cut(low: float, high: float, depth: int) -> list[float]:
         """Return the times at which an interval is to be cut."""

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.raster import count_folds, count_unlike, winding_grid
-from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.interpolate.paths import segments_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rigid import Rigid
 
@@ -198,13 +198,12 @@ def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexA
 def _points(shape: ShapeBlend, t: float) -> ComplexArray:
     """Return the nodes and the middles of all segments, one after the other, and the end of each line."""
     points = []
-    for path in paths_at(shape, t):
-        z = path.segments
+    for contour, z in zip(shape.contours, segments_at(shape, t), strict=True):
         both = np.empty((len(z), 2), np.complex128)
         both[:, 0] = z[:, 0]
         both[:, 1] = (z[:, 0] + 3.0 * (z[:, 1] + z[:, 2]) + z[:, 3]) / 8.0
         points.append(both.ravel())
-        if not path.closed:
+        if not contour.start.closed:
             points.append(z[-1:, 3])
     return np.concatenate(points)
 
