@@ -11,6 +11,7 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import interpolated
 from shapeblend_cli.interpolate.parametrization import ContourParameter, is_among
 from shapeblend_cli.model import unroll
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
@@ -93,8 +94,8 @@ def unroll_from_node(a: ContourParameter, b: ContourParameter, dots: IntArray) -
         return unroll(dots, None)
     first = int(np.flatnonzero(a.node)[0])
     at_first = dots[:, 0] == first
-    begin = int(np.flatnonzero(at_first & ~np.roll(at_first, 1))[0]) if not at_first.all() else 0
-    return unroll(np.roll(dots, -begin, axis=0), (a.count, b.count))
+    begin = int(np.flatnonzero(at_first & ~rolled(at_first, 1))[0]) if not at_first.all() else 0
+    return unroll(rolled(dots, -begin), (a.count, b.count))
 
 
 def match_continuously(a: ContourParameter, b: ContourParameter, dots: IntArray) -> ContinuousMatch:

@@ -107,8 +107,11 @@ class Wires:
         self.wires = tuple(p if isinstance(p, Wire) else Wire.of(p, closed, self.constants) for p in (p0, p1))
         self.p0, self.p1 = (wire.vertices for wire in self.wires)
         self.m, self.n = len(self.p0), len(self.p1)
-        self.weight = np.ones(self.m) if weight is None else np.asarray(weight, np.float64)
-        self.edge_weight = 0.5 * (self.weight + np.append(self.weight[1:], self.weight[0]))
+        self.is_even = weight is None
+        self.weight = self.edge_weight = np.ones(self.m)
+        if weight is not None:
+            self.weight = np.asarray(weight, np.float64)
+            self.edge_weight = 0.5 * (self.weight + rolled(self.weight, -1))
         self.len0, self.len1 = (edge_lengths(wire.vertices, closed) for wire in self.wires)
 
     @cached_property
@@ -148,7 +151,7 @@ class Wires:
             wire.along((np.arange(len(wire.vertices)) + first) % len(wire.vertices))
             for wire, first in zip(self.wires, (i, j), strict=True)
         )
-        return Wires(p, q, True, self.constants, rolled(self.weight, -i))
+        return Wires(p, q, True, self.constants, None if self.is_even else rolled(self.weight, -i))
 
     def along(self, i: IntArray, j: IntArray) -> Wires:
         """Return open wires along these vertices of the first wire and of the second, as stiff as anywhere."""

@@ -253,4 +253,4 @@ class Polygon:
     @cached_property
     def line(self) -> ComplexArray:
         """The vertices from end to end: if closed, with the first repeated, (m + 1,) complex."""
-        return np.append(self.vertices, self.vertices[0]) if self.closed else self.vertices
+        return np.concatenate([self.vertices, self.vertices[:1]]) if self.closed else self.vertices

@@ -10,6 +10,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.model import control_box
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -95,7 +96,7 @@ def align_contours(contours: Sequence[ContourBlend]) -> Alignment:
 
 def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
     edges = np.abs(np.diff(z, append=z[:1] if closed else z[-1:]))
-    before = np.roll(edges, 1)
+    before = rolled(edges, 1)
     if not closed:
         before[0] = 0.0
     return edges + before

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
@@ -93,12 +94,12 @@ def directions(
 def _turns(edges: ComplexArray, closed: bool) -> FloatArray:
     """Return the turns of a `Chain`, within half a round, with cusps opposite to the turns of their neighbours."""
     moving = np.flatnonzero(edges)
-    turns = np.angle(edges[moving] * np.roll(edges[moving], 1).conj())
+    turns = np.angle(edges[moving] * rolled(edges[moving], 1).conj())
     if not closed:
         turns[0] = 0.0
     cusps = np.abs(turns) > CUSP
     others = np.where(cusps, 0.0, turns)
-    neighbours = np.roll(others, 1) + np.roll(others, -1)
+    neighbours = rolled(others, 1) + rolled(others, -1)
     wrong = cusps & (np.abs(neighbours) > NEARLY_STRAIGHT) & (neighbours * turns > 0.0)
     turns[wrong] -= FULL_TURN * np.sign(turns[wrong])
     every = np.zeros(len(edges))
@@ -126,7 +127,7 @@ def _distribute(chain: Chain, other: Chain, segment: IntArray, closed: bool) -> 
     """Return the turns at every edge of a chain, also where it stays at a point; their sum stays."""
     n = len(segment)
     moves, other_moves = chain.edges != 0.0, other.edges != 0.0
-    is_known = other_moves & np.roll(other_moves, 1)
+    is_known = other_moves & rolled(other_moves, 1)
     turns = chain.turns.copy()
     moving = np.flatnonzero(moves)
     if not closed:  # turns before the first edge that moves, or after the last, may have any sum

@@ -23,6 +23,7 @@ from shapeblend_cli.geometry.flatten import COINCIDENT
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.model import Polygon
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.wires.contour_match import NOISE, Solved
 from shapeblend_cli.wires.symmetry import PARALLEL, common_axes
 
@@ -206,7 +207,7 @@ def solve_with_same_segments(match: ContourMatch) -> Solved | None:
         if start is None or matched is None:
             continue
         most = MOST_OTHERWISE
-        if (p.straight == np.roll(q.straight, -start)).all():
+        if (p.straight == rolled(q.straight, -start)).all():
             most = MOST if p.count < MANY else MOST_OF_MANY
         if matched.correspondence.work <= most * first.work + NOISE and _keeps_axes(matched, match):
             found.append((most, matched))
@@ -242,7 +243,7 @@ def _cuts(flat: FlatContour) -> tuple[FloatArray, FloatArray]:
     contour's size; infinite where there can be no cut, and at one node of a closed contour at least.
     """
     segments, straight = flat.contour.segments, flat.contour.straight
-    before, after = np.roll(segments, 1, axis=0), segments
+    before, after = rolled(segments, 1), segments
     arriving, leaving = np.abs(before[:, 3] - before[:, 2]), np.abs(after[:, 1] - after[:, 0])
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         t = arriving / (arriving + leaving)
@@ -256,7 +257,7 @@ def _cuts(flat: FlatContour) -> tuple[FloatArray, FloatArray]:
         node = left + (right - left) * t
         away = np.abs([left - before[:, 2], right - after[:, 1], node - after[:, 0]])
         off = away.max(axis=0) / flat.polygon.box.larger_side
-    possible = (t > LEAST_SHARE) & (t < 1.0 - LEAST_SHARE) & (straight == np.roll(straight, 1))
+    possible = (t > LEAST_SHARE) & (t < 1.0 - LEAST_SHARE) & (straight == rolled(straight, 1))
     possible[0] &= flat.polygon.closed
     off = np.where(possible & np.isfinite(off), off, np.inf)
     if len(off) and np.isfinite(off).all():
@@ -293,7 +294,7 @@ def _matched(a: Curves, b: Curves, start: int, match: ContourMatch) -> Solved | 
     cut_a, vertex_a = a.cut_at(positions)
     cut_b, vertex_b = b.cut_at(positions + start)
     dots = np.stack([vertex_a, vertex_b], axis=1)
-    moved = (dots != np.roll(dots, 1, axis=0)).any(axis=1)
+    moved = (dots != rolled(dots, 1)).any(axis=1)
     moved[0] |= not a.closed
     try:
         return Solved(cut_a, cut_b, priced(match.wires(cut_a, cut_b), dots[moved]))
