@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.svg.writing.rounding import number, on_grid, short_number
+from shapeblend_cli.svg.writing.rounding import number, on_grid, short_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -81,5 +81,6 @@ def _short_subpath(path: CubicPath, decimals: int) -> str:
 
 def _texts(points: IntArray, scale: int) -> list[str]:
     """Return points of a grid, (k, 2), as pairs of numbers."""
-    numbers = [short_number(value, scale) for value in points.ravel().tolist()]
+    known = short_numbers(scale)
+    numbers = [known[value] for value in points.ravel().tolist()]
     return [x + y if y[0] == "-" else f"{x} {y}" for x, y in zip(numbers[::2], numbers[1::2], strict=True)]

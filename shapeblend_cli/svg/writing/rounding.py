@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from functools import lru_cache
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.model import Box, ComplexArray, IntArray
 
@@ -17,6 +17,9 @@ ROUNDING = 4e-5  # how far rounding may move a point, as a share of what is show
 
 DASH_DIGITS = 2
 """Number of further decimals of dashes and gaps: along a line their errors add up."""
+
+MOST_KNOWN = 1 << 14
+"""Maximum number of numbers whose texts are kept."""
 
 LARGEST = 2.0**62
 """Minimum number of units that no machine's integer is sure to hold, nor a difference of two."""
@@ -49,10 +52,24 @@ def on_grid(points: ComplexArray, scale: int) -> IntArray:
     return grid.reshape(*points.shape, 2)
 
 
-@lru_cache(1 << 14)
-def short_number(value: int, scale: int) -> str:
-    """Return a number of units of 1 / `scale` without needless zeros: ``.5`` rather than ``0.5``."""
-    whole, rest = divmod(abs(value), scale)
-    decimals = str(rest + scale)[1:].rstrip("0") if rest else ""
-    digits = (str(whole) if whole or not decimals else "") + (f".{decimals}" if decimals else "")
-    return f"-{digits}" if value < 0 else digits
+class _ShortNumbers(dict[int, str]):
+    """Numbers of units of 1 / `scale` without needless zeros, as far as they were asked for."""
+
+    def __init__(self, scale: int) -> None:
+        super().__init__()
+        self._scale = scale
+
+    def __missing__(self, value: int) -> str:
+        if len(self) >= MOST_KNOWN:
+            self.clear()
+        whole, rest = divmod(abs(value), self._scale)
+        decimals = str(rest + self._scale)[1:].rstrip("0") if rest else ""
+        digits = (str(whole) if whole or not decimals else "") + (f".{decimals}" if decimals else "")
+        self[value] = text = f"-{digits}" if value < 0 else digits
+        return text
+
+
+@cache
+def short_numbers(scale: int) -> Mapping[int, str]:
+    """Return the texts of numbers of units of 1 / `scale`, without needless zeros: ``.5`` rather than ``0.5``."""
+    return _ShortNumbers(scale)
