@@ -74,10 +74,11 @@ GRID = 192
 """Points along the side of the grid on which these are compared."""
 
 SHIFTS = (0.0, 0.37)
-"""Shifts of two grids, in steps: a row of one may lie along an edge, in the file on one side and drawn on the other."""
+"""Shifts of the grid and of another one, in steps: a row may lie along an edge, in the file on one side of it, and
+drawn on the other."""
 
 UNSURE = 0.05
-"""Maximum lack of overlap on the first grid for the second one to decide."""
+"""Maximum lack of overlap on the grid for the shifted one to decide."""
 
 
 class Recovered(NamedTuple):

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import grade_of_shapes
@@ -100,10 +102,10 @@ def _holds(outer: PlacedContour, inner: PlacedContour) -> bool:
 
 
 def _is_same(gap: PlacedContour, hole: PlacedContour) -> bool:
-    """Return whether two holes are one, of about the same area and mostly in the same place."""
+    """Return whether two holes are one, of about the same area and in about the same place."""
     areas = sorted((gap.area, hole.area))
-    inside = winding_numbers(hole.polygon.vertices, gap.polygon.vertices) != 0
-    return areas[0] >= ALIKE * areas[1] and float(inside.mean()) > 0.5
+    is_inside = winding_numbers(np.array([hole.centre]), gap.polygon.vertices)[0] != 0
+    return bool(is_inside and areas[0] >= ALIKE * areas[1])
 
 
 def _closing(gap: _Gap, solid: Sequence[PlacedContour], settings: Settings, here: int) -> ShapeBlend:
