@@ -113,7 +113,7 @@ def compose(frame: Composed, size: Size, ground: str | None = None, over: Event 
                 lay_over(canvas, drawn[first:last], mask, 0, first)
         elif part.bent is not None:
             _lay_bent(canvas, part, part.bent, corner, scale, over)
-    return png_of(canvas, over)
+    return b"" if over.is_set() else png_of(canvas)
 
 
 def _lay_bent(
