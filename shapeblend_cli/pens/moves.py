@@ -329,6 +329,7 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> list[Move]
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
     outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)
+    is_early = any(map(_changes, carriers))  # what rests leaves all of the time
 
     def moving(motion: Moving, *, closed: bool = False, **options: bool) -> Move:
         pen, reason = Pen((motion,), closed=closed), DRAWN_ON if is_new else DRAWN_BACK
@@ -340,7 +341,7 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> list[Move]
     if line.closed or line.length < SHORT * line.width:
         point = np.full(len(points), Box.around(points).centre)
         pair = (point, points) if is_new else (points, point)
-        return [moving(Straight(*pair), closed=line.closed, is_joined=False, is_early=True)]
+        return [moving(Straight(*pair), closed=line.closed, is_joined=False, is_early=is_early)]
 
     def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
         for carrier, own in outlines:
@@ -365,11 +366,10 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> list[Move]
     if middle or not corners(points):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
-        move = moving(drawing, is_joined=bool(middle), is_early=not middle)
+        move = moving(drawing, is_joined=bool(middle), is_early=is_early and not middle)
         return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
-    is_early = any(map(_changes, carriers))
     return [moving(Drawing(points, *shares), is_joined=False, is_early=is_early)]
 
 

@@ -50,9 +50,15 @@ def test_a_lottie_has_trim_paths_and_an_avd_too(here):
 
 
 def test_a_line_that_comes_late_is_trimmed_late():
-    pair = blend(strokes("M2 12H8"), strokes("M2 12H8M16 8V16"), strokes="recover")
+    pair = blend(strokes("M2 20H20"), strokes("M4 2V20M16 8V12"), strokes="recover")
     (new,) = [shape for shape in pair.shapes if shape.reason == DRAWN_ON]
     assert new.span[0] > 0.0
     (_, (low, high)), *_, (_, last) = new.trim.parts
     assert low == high
     assert last == (0.0, 1.0)
+
+
+def test_a_line_that_comes_to_what_rests_comes_all_of_the_time():
+    pair = blend(strokes("M2 12H8"), strokes("M2 12H8M16 8V16"), strokes="recover")
+    (new,) = [shape for shape in pair.shapes if shape.reason == DRAWN_ON]
+    assert new.span == (0.0, 1.0)

@@ -67,7 +67,7 @@ def test_gradients_go_along():
 def test_a_line_that_comes_late_is_not_seen_before():
     from shapeblend_cli.outputs.move import moves_of
 
-    pair = blend(drawing(stroke("M2 12H8")), drawing(stroke("M2 12H8M16 8V16")), strokes="recover")
+    pair = blend(drawing(stroke("M2 20H20")), drawing(stroke("M4 2V20M16 8V12")), strokes="recover")
     (move,) = moves_of([pair], trims=True)
     (new,) = [
         moved for moved, shape in zip(move.shapes, pair.shapes, strict=True) if shape.reason == DRAWN_ON
