@@ -144,9 +144,9 @@ def _file_order(group: Shapes) -> tuple[int, int]:
 
 def visible_overlaps(contours: Sequence[PlacedContour]) -> list[tuple[int, int]]:
     """Return pairs of shapes of one drawing, the lower first, whose boxes overlap and whose paint differs."""
-    if not contours:  # all that the drawing has are pen lines
-        return []
     shapes = sorted({contour.shape for contour in contours})
+    if len(shapes) < 2:  # none at all if all that the drawing has are pen lines
+        return []
     boxes: dict[int, list[Box]] = {shape: [] for shape in shapes}
     paints: dict[int, object] = {}
     for contour in contours:
