@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.interpolate.parametrization import parametrize
+from shapeblend_cli.interpolate.parametrization import segment_positions
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -39,7 +39,7 @@ class Key(NamedTuple):
     def of(cls, number: int | None, contour: Contour, polygon: Polygon, cuts: FloatArray) -> Key:
         """Return the key of a contour that is cut at positions on its polygon, see `ContourBlend.cuts`."""
         if number is not None:  # a point has no positions
-            cuts = parametrize(contour, polygon).segment_positions(cuts)
+            cuts = segment_positions(contour, polygon, cuts)
         return cls(number, contour.segments, cuts)
 
     @classmethod

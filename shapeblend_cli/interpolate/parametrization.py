@@ -90,14 +90,6 @@ class ContourParameter:
         parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
         return cubics.evaluate(self.segments[self.segment[edge]], parameter)
 
-    def segment_positions(self, positions: FloatArray) -> FloatArray:
-        """Return positions as numbers of segments plus parameters, which do not depend on the polygon."""
-        rounds = np.floor_divide(positions, self.count) if self.closed else np.zeros_like(positions)
-        edge = np.minimum((positions - rounds * self.count).astype(np.intp), self.count - 1)
-        share = positions - rounds * self.count - edge
-        parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
-        return rounds * len(self.segments) + self.segment[edge] + parameter
-
     def pieces(self, positions: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
         """Return the segment, first and last parameter of each piece between neighbouring positions.
 
@@ -136,6 +128,17 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     return ContourParameter(
         segments, contour.straight, vertices, closed, segment, start, end, own_numbers, lengths, node, corner
     )
+
+
+def segment_positions(contour: Contour, polygon: Polygon, positions: FloatArray) -> FloatArray:
+    """Return positions as numbers of segments plus parameters, which do not depend on the polygon."""
+    segment, start, end = edge_parts(contour, polygon)
+    count = len(segment)
+    rounds = np.floor_divide(positions, count) if polygon.closed else np.zeros_like(positions)
+    edge = np.minimum((positions - rounds * count).astype(np.intp), count - 1)
+    share = positions - rounds * count - edge
+    parameter = start[edge] + (end[edge] - start[edge]) * share
+    return rounds * len(contour.segments) + segment[edge] + parameter
 
 
 def is_among(values: NDArray[Any], others: NDArray[Any]) -> BoolArray:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from shapeblend_cli.frames.outlined import letters_at
-from shapeblend_cli.interpolate.parametrization import parametrize
+from shapeblend_cli.interpolate.parametrization import segment_positions
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.model import (
     ClipBlend,
@@ -242,9 +242,8 @@ def dot_positions(contour: ContourBlend) -> FloatArray:
     along, cuts, round_ = np.zeros(len(dots)), np.zeros(len(contour.cuts[0])), 0
     for side, outline in enumerate((contour.contour_a, contour.contour_b)):
         if counts[side] > 1:  # a point has no positions
-            parameter = parametrize(outline, polygons[side])
-            along += parameter.segment_positions(dots[:, side])
-            cuts += parameter.segment_positions(contour.cuts[side])
+            along += segment_positions(outline, polygons[side], dots[:, side])
+            cuts += segment_positions(outline, polygons[side], contour.cuts[side])
             round_ += len(outline.segments)
     if found.closed:
         along = cuts[0] + (along - cuts[0]) % round_
