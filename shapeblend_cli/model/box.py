@@ -30,6 +30,9 @@ class Box(NamedTuple):
     @classmethod
     def union(cls, boxes: Sequence[Box]) -> Box:
         """Return the smallest box around one or more boxes."""
+        if len(boxes) == 1:  # most drawings have one contour; its sides are rounded as those of several are
+            x, y, width, height = boxes[0]
+            return cls(x, y, x + width - x, y + height - y)
         x, y = min(b.x for b in boxes), min(b.y for b in boxes)
         return cls(x, y, max(b.x + b.width for b in boxes) - x, max(b.y + b.height for b in boxes) - y)
 
