@@ -104,10 +104,11 @@ class Starts(NamedTuple):
         Where the rows are one, steps are cut. Where there is nothing to cut so, rows are halved, then steps: a single
         state's paths are closed.
         """
-        if start != end or (self.first_row < self.last_row and len(self.steps) == 1):
-            middle = (start + end) // 2 if start != end else (self.first_row + self.last_row) // 2
-            return self._replace(last_row=middle), self._replace(first_row=middle + 1)
-        return self._replace(steps=self.steps[:1]), self._replace(steps=self.steps[1:])
+        bound, first, last, steps = self
+        if start != end or (first < last and len(steps) == 1):
+            middle = (start + end) // 2 if start != end else (first + last) // 2
+            return Starts(bound, first, middle, steps), Starts(bound, middle + 1, last, steps)
+        return Starts(bound, first, last, steps[:1]), Starts(bound, first, last, steps[1:])
 
 
 class Graph:

@@ -138,6 +138,6 @@ def _branch_and_bound(
                 if len(rows):
                     bound = max(float(least[rows].min()), starts.bound)
                     first, last = (part.first_row + int(rows[k]) for k in (0, -1))
-                    heapq.heappush(queue, part._replace(bound=bound, first_row=first, last_row=last))
+                    heapq.heappush(queue, Starts(bound, first, last, part.steps))
                     waiting += last - first + 1
     return best

@@ -147,7 +147,7 @@ def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, fl
         before, left = left, float(points.weight @ np.log(off))
         if before - left <= SETTLED * left:
             break
-        alignment = _least_squares(points._replace(weight=points.weight / off))
+        alignment = _least_squares(PointPairs(points.a, points.b, points.weight / off))
     return alignment, left
 
 
