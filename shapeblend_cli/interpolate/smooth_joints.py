@@ -221,10 +221,12 @@ def _least_bends(
     effects: Sequence[FloatArray], weight: FloatArray, excess: FloatArray, stiffness: FloatArray
 ) -> FloatArray:
     """Return the slides that leave the least bends, by damped least squares in blocks, (s,) float."""
-    own, earlier, later, rows, wanted, damping = (
-        np.append(values, np.full(-len(values) % BLOCK, rest)).reshape(-1, BLOCK)
-        for values, rest in [*((one, 0.0) for one in (*effects, weight, -weight * excess)), (stiffness, 1.0)]
-    )
+    count = len(weight)
+    padded = np.zeros((6, count + -count % BLOCK))
+    padded[5, count:] = 1.0
+    for row, values in zip(padded, (*effects, weight, -weight * excess, stiffness), strict=True):
+        row[:count] = values
+    own, earlier, later, rows, wanted, damping = padded.reshape(6, -1, BLOCK)
     k = np.arange(BLOCK)
     matrix = np.zeros((len(own), BLOCK, BLOCK))
     matrix[:, k, k] = own
@@ -234,4 +236,5 @@ def _least_bends(
     across = np.swapaxes(matrix, 1, 2)
     normal = across @ matrix
     normal[:, k, k] += damping
-    return np.linalg.solve(normal, across @ wanted[:, :, None]).ravel()[: len(weight)]
+    slides = np.linalg.solve(normal, across @ wanted[:, :, None]).ravel()
+    return np.asarray(slides[:count], np.float64)
