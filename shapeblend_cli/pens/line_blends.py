@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
+    from shapeblend_cli.pens.partners import Assignment
 
 LEAST_INK = 0.1
 """Minimum share of the ink of a drawing of one colour in its lines."""
@@ -112,7 +113,8 @@ def blend_lines(
     whole = as_whole(one.lines, other.lines) if can_turn and settings.motion != "linear" else None
     if whole is not None:
         return LineBlend(_shapes(whole, scale, settings), ([], []), settings)
-    moves, kept = line_moves(one.lines, other.lines, required, settings, scale)
+    has_bodies = bool(one.bodies or other.bodies)
+    moves, kept = line_moves(one.lines, other.lines, required, settings, scale, has_bodies=has_bodies)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
     if is_plain and kept < KEPT and not (is_asked or required.pairs):
@@ -213,7 +215,13 @@ def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
 
 
 def line_moves(
-    a: Sequence[PenLine], b: Sequence[PenLine], required: Required, settings: Settings, scale: float
+    a: Sequence[PenLine],
+    b: Sequence[PenLine],
+    required: Required,
+    settings: Settings,
+    scale: float,
+    *,
+    has_bodies: bool = False,
 ) -> tuple[list[Move], float]:
     """Return how the lines of one drawing become those of the other, and the share of their length that stays."""
     moves = [
@@ -254,11 +262,7 @@ def line_moves(
     found = least_work(free[0], free[1], centres)
     others, *copied = split_moves(found, moves)
     moves += others
-    for side, lines in enumerate((found.a, found.b)):
-        paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
-        carriers = [move.motion for move in moves if (move.a, move.b)[side] is not None]
-        left = [line for k, line in enumerate(lines) if k not in paired]
-        moves += [move for line in left for move in alone(line, carriers, is_new=bool(side))]
+    moves += _left_alone(found, copied, moves, has_bodies=has_bodies)
     if slash is not None and crossing is not None:
         moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
     moves = [
@@ -266,6 +270,20 @@ def line_moves(
         for move in moves
     ]
     return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
+
+
+def _left_alone(
+    found: Assignment, copied: Sequence[set[int]], moves: Sequence[Move], *, has_bodies: bool
+) -> list[Move]:
+    """Return how the lines without a partner come and go, beside the others."""
+    alone_moves: list[Move] = []
+    for side, lines in enumerate((found.a, found.b)):
+        paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
+        carriers = [move.motion for move in moves if (move.a, move.b)[side] is not None]
+        for k, line in enumerate(lines):
+            if k not in paired:
+                alone_moves += alone(line, carriers, is_new=bool(side), has_bodies=has_bodies)
+    return alone_moves
 
 
 def _shifted(move: Move, shift: complex) -> Move:

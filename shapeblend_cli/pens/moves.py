@@ -320,16 +320,16 @@ def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> list[Move]:
+def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, has_bodies: bool = False) -> list[Move]:
     """Draw a line back to where it touches others, which carry it along, or on from there.
 
-    A bow that stands on others parts in its middle.
+    A bow that stands on others parts in its middle. Where the drawing has more than lines, that may change, too.
     """
     points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
     outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)
-    is_early = any(map(_changes, carriers))  # what rests leaves all of the time
+    is_early = has_bodies or any(map(_changes, carriers))  # what rests leaves all of the time
 
     def moving(motion: Moving, *, closed: bool = False, **options: bool) -> Move:
         pen, reason = Pen((motion,), closed=closed), DRAWN_ON if is_new else DRAWN_BACK
