@@ -12,7 +12,7 @@ from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings,
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
-from shapeblend_cli.blending.plates.inverted import with_signs_inverted
+from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -94,8 +94,11 @@ def blend_shapes(
         return _moved(paired, *match_pairs(paired), view)
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
-    shapes = with_signs_inverted(a, b, settings, view, shapes)
-    return with_gaps_closed(a, b, settings, view, shapes)
+    outlined = with_outlines(a, b, settings, view)
+    if not all(map(is_plain, outlined)):
+        return shapes
+    shapes = with_signs_inverted(*outlined, settings, view, shapes)
+    return with_gaps_closed(*outlined, settings, view, shapes)
 
 
 def _is_free(settings: Settings) -> bool:

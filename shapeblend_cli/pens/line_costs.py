@@ -170,7 +170,7 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     short, long = sorted((p.length, q.length))
     stretch = STRETCH_COST * (long - short)
     if short > p.width:
-        crumpling = TORN_OFF_COST if max(p, q, key=lambda line: line.length).is_bow else CRUMPLE_COST
+        crumpling = TORN_OFF_COST if (p if p.length == long else q).is_bow else CRUMPLE_COST
         stretch += crumpling * max(0.0, long - CRUMPLES * short)
     closing = CLOSING_COST * mean if p.closed != q.closed else 0.0
     if p.closed and not q.closed:

@@ -73,9 +73,8 @@ KNOB_SPILL = 0.1
 GRID = 192
 """Points along the side of the grid on which these are compared."""
 
-SHIFTS = (0.0, 0.37)
-"""Shifts of the grid and of another one, in steps: a row may lie along an edge, in the file on one side of it, and
-drawn on the other."""
+SHIFT = 0.37
+"""Shift of another grid, in steps: a row may lie along an edge, on one side in the file and on the other if drawn."""
 
 UNSURE = 0.05
 """Maximum lack of overlap on the grid for the shifted one to decide."""
@@ -259,11 +258,12 @@ def checked(
     lines: Sequence[Stretch], region: Region, contours: Sequence[ComplexArray]
 ) -> tuple[list[Recovered], list[ComplexArray]] | None:
     """Return the lines with the join with which they cover the region best, and its rests; None if they do not."""
-    grid, shifted = (_Grid.over(region, shift) for shift in SHIFTS)
+    grid = _Grid.over(region)
     wanted = grid.painted(region.starts, region.ends)
     overlap, drawn = _with_best_join(lines, grid, wanted)
     least = GOOD - _slanted(lines, float(wanted.sum()) * grid.step**2)
     if least - UNSURE <= overlap < least:
+        shifted = grid._replace(corner=grid.corner + SHIFT * grid.step * (1.0 + 1.0j))
         overlap, drawn = _with_best_join(lines, shifted, shifted.painted(region.starts, region.ends))
     if overlap >= least:
         return drawn, []
@@ -293,12 +293,11 @@ class _Grid(NamedTuple):
     step: float
 
     @classmethod
-    def over(cls, region: Region, shift: float) -> _Grid:
-        """Lay a grid over a region, shifted by some steps."""
+    def over(cls, region: Region) -> _Grid:
+        """Lay a grid over a region."""
         low = min(region.starts.real), min(region.starts.imag)
         size = max(max(region.starts.real) - low[0], max(region.starts.imag) - low[1]) + 1.0
-        step = size / GRID
-        return cls(complex(*low) - (0.5 - shift * step) * (1.0 + 1.0j), step)
+        return cls(complex(*low) - 0.5 - 0.5j, size / GRID)
 
     def painted(self, starts: ComplexArray, ends: ComplexArray) -> BoolArray:
         """Return which points polygons paint, by their edges."""

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
-from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import grade_of_shapes
-from shapeblend_cli.blending.plates.inverted import growing, is_plain, paints_alike
+from shapeblend_cli.blending.plates.inverted import growing, is_blend_of
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import ShapeBlend
@@ -62,10 +61,10 @@ class _Gap(NamedTuple):
 def with_gaps_closed(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes
 ) -> Shapes:
-    """Return the blend in which the gap around an island closes or opens, if there is one and it looks better."""
-    a, b = with_outlines(a, b, settings, view)
-    if not (is_plain(a) and is_plain(b)):
-        return usual
+    """Return the blend in which the gap around an island closes or opens, unless there is none or the usual can ship.
+
+    The drawings are plain, see `is_plain`.
+    """
     for here, (own, other) in enumerate(((a, b), (b, a))):
         gap, solid = _gap(own.contours), _solid(other.contours)
         if gap is None or solid is None or not _holds(solid[0], gap.island):
@@ -73,8 +72,7 @@ def with_gaps_closed(
         if any(_is_same(gap.hole, hole) for hole in solid[1:]) or grade_of_shapes(usual, view) < SHIPS:
             return usual
         shape = _closing(gap, solid, settings, here)
-        same = paints_alike(shape, 0.0, a, view) and paints_alike(shape, 1.0, b, view)
-        return (shape,) if same else usual
+        return (shape,) if is_blend_of(shape, a, b, view) else usual
     return usual
 
 

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, LINE
-from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import FINE, grade_of_shapes
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places
@@ -63,9 +62,11 @@ class _Places(NamedTuple):
 def with_signs_inverted(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes
 ) -> Shapes:
-    """Return the blend in which a sign is inverted in place, unless there is none or the usual blend looks fine."""
-    a, b = with_outlines(a, b, settings, view)
-    if not (is_plain(a) and is_plain(b)) or max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
+    """Return the blend in which a sign is inverted in place, unless there is none or the usual blend looks fine.
+
+    The drawings are plain, see `is_plain`.
+    """
+    if max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
         return usual
     places = _in_place(a.contours, b.contours, NEAR * view.larger_side)
     if not places.is_inverted or grade_of_shapes(usual, view) <= FINE:
@@ -79,8 +80,7 @@ def with_signs_inverted(
     style_a, style_b = (each.contours[0].style._replace(fill_rule="evenodd") for each in (a, b))
     sources = a.contours[0].shape, b.contours[0].shape
     shape = ShapeBlend(tuple(contours), style_a, style_b, reason=INVERTED, sources=sources)
-    same = paints_alike(shape, 0.0, a, view) and paints_alike(shape, 1.0, b, view)
-    return (shape,) if same else usual
+    return (shape,) if is_blend_of(shape, a, b, view) else usual
 
 
 def is_plain(drawing: PlacedDrawing) -> bool:
@@ -138,7 +138,12 @@ def growing(
     return grow_from_point(contour, middle, of_b=bool(here))
 
 
-def paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
+def is_blend_of(shape: ShapeBlend, a: PlacedDrawing, b: PlacedDrawing, view: Box) -> bool:
+    """Return whether a shape paints what two drawings do, at its start and at its end."""
+    return _paints_alike(shape, 0.0, a, view) and _paints_alike(shape, 1.0, b, view)
+
+
+def _paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
     """Return whether a shape paints what a drawing does."""
     from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.grading.painting import picture  # few blends come so far
