@@ -68,13 +68,14 @@ class Ride(NamedTuple):
 
 
 class Edge(NamedTuple):
-    """The edge that closes a gap, in the segments of the contour that comes to lie on it."""
+    """The edge that closes a gap, in the segments of the contour that comes to lie on it, on its way."""
 
-    segments: ComplexArray
+    a: ComplexArray
+    b: ComplexArray
 
     def at(self, t: float) -> ComplexArray:
-        """Return its control points, the same at any time t."""
-        return self.segments
+        """Return its control points at time t."""
+        return (1.0 - t) * self.a + t * self.b
 
 
 class Early(NamedTuple):

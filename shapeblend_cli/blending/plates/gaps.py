@@ -6,16 +6,17 @@ other drawing open in what is solid.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.blending.graded import grade_of_shapes
-from shapeblend_cli.blending.plates.inverted import growing, is_blend_of
+from shapeblend_cli.blending.plates.inverted import NEAR, distance_between, growing, is_blend_of
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.interpolate.paths import with_curves
-from shapeblend_cli.model import ShapeBlend
+from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.motion.early import Early, Edge
 from shapeblend_cli.wires.constraints import Constraints
 from shapeblend_cli.wires.match import match_contours
@@ -24,13 +25,13 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import Box, ContourBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
 
 SHIPS = 1.5
-"""Minimum grade of the usual blend for gaps to be looked for."""
+"""Minimum grade of the usual blend for gaps to close in a ring without a handle."""
 
 LEAST_FILLED = 0.3
 """Minimum share of a hole that its island fills."""
@@ -44,8 +45,14 @@ ALIKE = 0.6
 CLOSED_FOR = 0.6
 """Time for which a gap is closed, as a share of all time."""
 
-OPENS = 0.3
+OPENS = 0.4
 """Time for which holes in what is solid are closed, as a share of all time."""
+
+SIZES = (1.0, 0.8, 0.6)
+"""Sizes of an island in what is solid, as shares of its own."""
+
+PLACES = 9
+"""Number of places for it in each direction."""
 
 CLOSED = "the gap around an island closes"
 
@@ -67,13 +74,48 @@ def with_gaps_closed(
     """
     for here, (own, other) in enumerate(((a, b), (b, a))):
         gap, solid = _gap(own.contours), _solid(other.contours)
-        if gap is None or solid is None or not _holds(solid[0], gap.island):
+        if gap is None or solid is None or (seat := _seat(gap.island, solid[0])) is None:
             continue
-        if any(_is_same(gap.hole, hole) for hole in solid[1:]) or grade_of_shapes(usual, view) < SHIPS:
+        if any(_is_same(gap.hole, hole) for hole in solid[1:]):
             return usual
-        shape = _closing(gap, solid, settings, here)
-        return (shape,) if is_blend_of(shape, a, b, view) else usual
+        drawn: list[ShapeBlend] = []
+        if distance_between(gap.exterior, solid[0], NEAR * view.larger_side) is None:
+            from shapeblend_cli.blending.plates.handles import ring_and_handles  # few drawings have gaps
+
+            edge, drawn = ring_and_handles(own, settings, view, here)
+            gap = gap._replace(exterior=_outer_edge(gap, edge)) if edge else gap
+        if not drawn and grade_of_shapes(usual, view) < SHIPS:
+            return usual
+        shapes = (_closing(gap, solid, seat, settings, here), *drawn)
+        return shapes if is_blend_of(shapes, a, b, view) else usual
     return usual
+
+
+def _outer_edge(gap: _Gap, ring: Box) -> PlacedContour:
+    """Return the exterior of a gap without handles: its island, as large as the ring."""
+    edge = _scaled(gap.island, ring.centre, ring.larger_side / gap.island.box.larger_side)
+    return gap.exterior._replace(contour=edge.contour, polygon=edge.polygon)
+
+
+def _seat(island: PlacedContour, whole: PlacedContour) -> PlacedContour | None:
+    """Return an island where a solid shape has room for it: as large, and as near to its own place, as may be."""
+    if _holds(whole, island):
+        return island
+    places = whole.box.grid(PLACES)
+    places = places[np.argsort(np.abs(places - island.centre), kind="stable")]
+    seats = (_scaled(island, place, size) for size in SIZES for place in places.tolist())
+    return next((seat for seat in seats if _holds(whole, seat)), None)
+
+
+def _scaled(contour: PlacedContour, centre: complex, size: float) -> PlacedContour:
+    """Return a contour about another centre, so many times as large."""
+
+    def moved(points: ComplexArray) -> ComplexArray:
+        return centre + size * (points - contour.centre)
+
+    outline = replace(contour.contour, segments=moved(contour.contour.segments))
+    polygon = replace(contour.polygon, vertices=moved(contour.polygon.vertices))
+    return contour._replace(contour=outline, polygon=polygon)
 
 
 def _gap(contours: Sequence[PlacedContour]) -> _Gap | None:
@@ -106,7 +148,9 @@ def _is_same(gap: PlacedContour, hole: PlacedContour) -> bool:
     return bool(is_inside and areas[0] >= ALIKE * areas[1])
 
 
-def _closing(gap: _Gap, solid: Sequence[PlacedContour], settings: Settings, here: int) -> ShapeBlend:
+def _closing(
+    gap: _Gap, solid: Sequence[PlacedContour], seat: PlacedContour, settings: Settings, here: int
+) -> ShapeBlend:
     """Return the blend of a drawing with a gap, A's if `here` is 0 and else B's, and one without."""
     whole, *holes = solid
 
@@ -115,11 +159,15 @@ def _closing(gap: _Gap, solid: Sequence[PlacedContour], settings: Settings, here
         return with_curves(blend) if settings.curves else blend
 
     outline = matched(gap.exterior, whole)
-    edges = [matched(edge, gap.island) for edge in (gap.hole, gap.island)]
+    edges = [matched(edge, seat) for edge in (gap.hole, gap.island)]
     edges = [edge._replace(a=None) if here else edge._replace(b=None) for edge in edges]
     first, last = (whole, gap.exterior) if here else (gap.exterior, whole)
     opening = [growing(hole, [(first, last, outline)], 1 - here) for hole in holes]
-    closed = Edge((edges[0].start if here else edges[0].end).segments)
+    on_seat = (edges[0].start if here else edges[0].end).segments
+    on_island = gap.island.centre + gap.island.box.larger_side / seat.box.larger_side * (
+        on_seat - seat.centre
+    )
+    closed = Edge(on_seat, on_island) if here else Edge(on_island, on_seat)
     motion = Early(
         None,
         {(edges[0].a, edges[0].b): CLOSED_FOR} | {(each.a, each.b): OPENS for each in opening},

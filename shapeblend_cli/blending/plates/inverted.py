@@ -80,7 +80,7 @@ def with_signs_inverted(
     style_a, style_b = (each.contours[0].style._replace(fill_rule="evenodd") for each in (a, b))
     sources = a.contours[0].shape, b.contours[0].shape
     shape = ShapeBlend(tuple(contours), style_a, style_b, reason=INVERTED, sources=sources)
-    return (shape,) if is_blend_of(shape, a, b, view) else usual
+    return (shape,) if is_blend_of((shape,), a, b, view) else usual
 
 
 def is_plain(drawing: PlacedDrawing) -> bool:
@@ -101,7 +101,7 @@ def _in_place(a: Sequence[PlacedContour], b: Sequence[PlacedContour], distance: 
     found = []
     for i, p in enumerate(a):
         for j, q in enumerate(b):
-            apart = _apart(p, q, distance)
+            apart = distance_between(p, q, distance)
             if apart is not None:
                 found.append((apart, i, j))
     rest: list[dict[int, PlacedContour]] = [dict(enumerate(a)), dict(enumerate(b))]
@@ -112,7 +112,7 @@ def _in_place(a: Sequence[PlacedContour], b: Sequence[PlacedContour], distance: 
     return _Places(pairs, (list(rest[0].values()), list(rest[1].values())))
 
 
-def _apart(p: PlacedContour, q: PlacedContour, most: float) -> float | None:
+def distance_between(p: PlacedContour, q: PlacedContour, most: float) -> float | None:
     """Return the mean distance of two contours; None if it is too large for one place."""
     if max(abs(x - y) for x, y in zip(p.box.bounds, q.box.bounds, strict=True)) > 2.0 * most:
         return None
@@ -138,20 +138,20 @@ def growing(
     return grow_from_point(contour, middle, of_b=bool(here))
 
 
-def is_blend_of(shape: ShapeBlend, a: PlacedDrawing, b: PlacedDrawing, view: Box) -> bool:
-    """Return whether a shape paints what two drawings do, at its start and at its end."""
-    return _paints_alike(shape, 0.0, a, view) and _paints_alike(shape, 1.0, b, view)
+def is_blend_of(shapes: Shapes, a: PlacedDrawing, b: PlacedDrawing, view: Box) -> bool:
+    """Return whether shapes paint what two drawings do, at their start and at their end."""
+    return _paints_alike(shapes, 0.0, a, view) and _paints_alike(shapes, 1.0, b, view)
 
 
-def _paints_alike(shape: ShapeBlend, t: float, drawing: PlacedDrawing, view: Box) -> bool:
-    """Return whether a shape paints what a drawing does."""
+def _paints_alike(shapes: Shapes, t: float, drawing: PlacedDrawing, view: Box) -> bool:
+    """Return whether shapes paint what a drawing does."""
     from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.grading.painting import picture  # few blends come so far
 
-    pair = Pair(0, 1, (shape,), ((), ()), (view, view))
+    pair = Pair(0, 1, shapes, ((), ()), (view, view))
     whole: dict[int, list[PlacedContour]] = {}
     for contour in drawing.contours:
         whole.setdefault(contour.shape, []).append(contour)
     drawn = [PaintedShape(tuple(c.contour for c in group), group[0].style) for group in whole.values()]
-    inks = [picture(shapes, view)[3] for shapes in (shapes_at(pair, t), drawn)]
+    inks = [picture(painted, view)[3] for painted in (shapes_at(pair, t), drawn)]
     return float(np.abs(inks[0] - inks[1]).sum()) <= SAME_PICTURE * float(inks[1].sum())
