@@ -13,6 +13,7 @@ from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
+from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -98,7 +99,8 @@ def blend_shapes(
     if not all(map(is_plain, outlined)):
         return shapes
     shapes = with_signs_inverted(*outlined, settings, view, shapes)
-    return with_gaps_closed(*outlined, settings, view, shapes)
+    shapes = with_gaps_closed(*outlined, settings, view, shapes)
+    return with_slots_closed(*outlined, view, shapes)
 
 
 def _is_free(settings: Settings) -> bool:
