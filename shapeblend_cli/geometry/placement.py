@@ -19,14 +19,22 @@ def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:
     ----------
     a, b : Drawing
     place : {'viewbox', 'bbox', 'asis'}
-        ``viewbox`` fits B's viewBox into A's, or the bounds of a drawing that has none. ``bbox`` fits the bounds of
+        ``viewbox`` fits B's viewBox into A's, or the bounds of a drawing that has none. Two viewBoxes that are as wide
+        or as high, as in sets of icons of one height, keep their scale: centre on centre. ``bbox`` fits the bounds of
         what is drawn, without the width of strokes. ``asis`` leaves B where it is.
     """
     if place == "asis":
         return Similarity()
     if place == "bbox":
         return fit_box(_bounds(b), _bounds(a))
+    if a.viewbox and b.viewbox and _share_a_side(a.viewbox, b.viewbox):
+        return Similarity(1.0, a.viewbox.centre - b.viewbox.centre)
     return fit_box(b.viewbox or _bounds(b), a.viewbox or _bounds(a))
+
+
+def _share_a_side(a: Box, b: Box) -> bool:
+    """Return whether two boxes are as wide or as high."""
+    return a.width == b.width or a.height == b.height
 
 
 def fit_box(box: Box, into: Box) -> Similarity:

@@ -115,8 +115,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("viewbox", "bbox", "asis"),
         default="viewbox",
         section=SHAPES,
-        help="How B is laid over A. viewbox: viewBox on viewBox; bbox: bounding box on bounding box; asis: in the "
-        "coordinates of its file.",
+        help="How B is laid over A. viewbox: viewBox on viewBox, at one scale if they are as wide or as high; bbox: "
+        "bounding box on bounding box; asis: in the coordinates of its file.",
     )
     specks: float | str | None = option(
         types.SPECKS,
