@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.cubics import directions
-from shapeblend_cli.geometry.polyline import cumulative_lengths
-from shapeblend_cli.model import WHOLE, Box
-from shapeblend_cli.motion.pen import Pen, Together, Whole, between
+from shapeblend_cli.model import WHOLE
+from shapeblend_cli.motion.pen import Pen, Together, between
 from shapeblend_cli.pens.drawings import MOST_LINES
 from shapeblend_cli.pens.joints import with_bows, with_pieces
-from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
+from shapeblend_cli.pens.line import foot_points
 from shapeblend_cli.pens.moves import (
     BECOMES,
     COMES,
@@ -30,12 +29,13 @@ from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
+from shapeblend_cli.pens.turned import as_whole, centre_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, Contour, ShapeBlend
+    from shapeblend_cli.model import Contour, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
@@ -53,17 +53,8 @@ KEPT = 0.3
 ALL = 0.9
 """Minimum share of the ink in lines for drawings to be matched by these whatever outlines would be like."""
 
-LEAST_TURNED = 0.5
-"""Minimum share of lines that stay where they are for a drawing not to be turned or flipped as a whole."""
-
-SAME_PLACE = 0.35
-"""Maximum distance of lines that are in one place, in widths."""
-
 UNHIDDEN = 0.1
 """Maximum part of a dot that sticks out of a line that hides it, as a share of its width."""
-
-LEAST_COPIED = 0.9
-"""Minimum share of lines that a turn or flip brings to their place for the drawing to be turned or flipped."""
 
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
@@ -75,7 +66,6 @@ SAME_WEIGHT = 0.97
 """Minimum ratio of the widths of two drawings in one weight of line."""
 
 REQUIRED = "a pen line that becomes another, as required"
-TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 
 
 class LineBlend(NamedTuple):
@@ -227,7 +217,7 @@ def line_moves(
     moves = [
         _by_wires((a[i], b[j]), pins, settings, scale, REQUIRED) for (i, j), pins in required.pairs.items()
     ]
-    centres = _centre(a), _centre(b)
+    centres = centre_of(a), centre_of(b)
     a, b = (
         [line for k, line in enumerate(with_bows(lines)) if all(k != pair[side] for pair in required.pairs)]
         for side, lines in enumerate((a, b))
@@ -320,67 +310,3 @@ def _by_wires(
     if reason == BECOMES:
         points = thinned(*points)
     return Move(p, q, Pen((between(*points, closed=closed),), closed=closed), reason)
-
-
-def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
-    """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
-    if _covers(a, b, _outlines(a), LEAST_TURNED):
-        return None
-    centre, target = _centre(a), _centre(b)
-    ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
-    ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
-    for way in ways:
-        moving = [Whole(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
-        if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
-            continue
-        reason = FLIPPED if "axis" in way else TURNED
-        nearest = _partners_of(moving, b)
-        return [
-            Move(line, b[other], Pen((_onto(each, b),), closed=line.closed), reason)
-            for line, each, other in zip(a, moving, nearest, strict=True)
-        ]
-    return None
-
-
-def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
-    """Let a line that is turned or flipped end exactly on the lines of B."""
-    ends = moving.points(1.0)
-    if max(np.min([foot_points(ends, line)[0] for line in _outlines(b)], axis=0)) < EXACT:
-        return moving
-    known = np.concatenate(
-        [np.linspace(0.0, length(moving.a), len(evenly(moving.a, 0.2))), cumulative_lengths(moving.a)]
-    )
-    moving = moving._replace(a=at(moving.a, each_once(known)))
-    ends = moving.points(1.0)
-    feet = [(foot[0], at(line, foot[1])) for line in _outlines(b) for foot in [foot_points(ends, line)]]
-    nearest = np.argmin([away for away, _ in feet], axis=0)
-    return moving._replace(left=np.choose(nearest, [places for _, places in feet]) - ends)
-
-
-def _outlines(lines: Sequence[PenLine]) -> list[ComplexArray]:
-    return [line.outline if len(line.points) > 1 else np.repeat(line.points, 2) for line in lines]
-
-
-def _partners_of(moving: Sequence[Whole], b: Sequence[PenLine]) -> list[int]:
-    """Return the line of B on which each moved line ends up, for its paint."""
-    middles = [complex(each.points(1.0).mean()) for each in moving]
-    return [
-        int(np.argmin([foot_points(np.array([middle]), points)[0][0] for points in _outlines(b)]))
-        for middle in middles
-    ]
-
-
-def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexArray], least: float) -> bool:
-    """Return whether the lines of A, moved, lie on those of B along a share of both, and the reverse."""
-    there = _outlines(b)
-    width = min(line.width for line in (*a, *b))
-    for lines, others in ((moved, there), (there, moved)):
-        points = np.concatenate([evenly(line, 0.3) for line in lines])
-        away = np.min([foot_points(points, other)[0] for other in others], axis=0)
-        if np.mean(away < SAME_PLACE * width) < least or (least > LEAST_TURNED and away.max() > width):
-            return False
-    return True
-
-
-def _centre(lines: Sequence[PenLine]) -> complex:
-    return Box.around(np.concatenate([line.points for line in lines])).centre

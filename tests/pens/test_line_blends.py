@@ -12,9 +12,9 @@ from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
-from shapeblend_cli.pens.line_blends import FLIPPED, TURNED
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
+from shapeblend_cli.pens.turned import FLIPPED, TURNED
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import drawing, svg

@@ -203,8 +203,9 @@ def plates_of(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box)
     sides = [_cut_out(side, scale) for side in (a, b)]
     if not all(sides):
         return []
-    from shapeblend_cli.pens.line_blends import as_whole, line_moves  # few drawings have plates
+    from shapeblend_cli.pens.line_blends import line_moves  # few drawings have plates
     from shapeblend_cli.pens.named_lines import Required
+    from shapeblend_cli.pens.turned import as_whole
 
     found = []
     for p, lines_p in sides[0]:

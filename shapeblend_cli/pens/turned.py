@@ -1,0 +1,98 @@
+"""Pen lines that turn, or are flipped, as a whole."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.model import Box
+from shapeblend_cli.motion.pen import Pen, Whole
+from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
+from shapeblend_cli.pens.moves import Move
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.pens.line import PenLine
+
+LEAST_TURNED = 0.5
+"""Minimum share of lines that stay where they are for a drawing not to be turned or flipped as a whole."""
+
+SAME_PLACE = 0.35
+"""Maximum distance of lines that are in one place, in widths."""
+
+LEAST_COPIED = 0.9
+"""Minimum share of lines that a turn or flip brings to their place for the drawing to be turned or flipped."""
+
+EXACT = 0.01
+"""Maximum distance of lines that are the same, in units."""
+
+TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
+
+
+def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
+    """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
+    if _covers(a, b, _outlines(a), LEAST_TURNED):
+        return None
+    centre, target = centre_of(a), centre_of(b)
+    ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
+    ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
+    for way in ways:
+        moving = [Whole(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
+        if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
+            continue
+        reason = FLIPPED if "axis" in way else TURNED
+        nearest = _partners_of(moving, b)
+        return [
+            Move(line, b[other], Pen((_onto(each, b),), closed=line.closed), reason)
+            for line, each, other in zip(a, moving, nearest, strict=True)
+        ]
+    return None
+
+
+def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
+    """Let a line that is turned or flipped end exactly on the lines of B."""
+    ends = moving.points(1.0)
+    if max(np.min([foot_points(ends, line)[0] for line in _outlines(b)], axis=0)) < EXACT:
+        return moving
+    known = np.concatenate(
+        [np.linspace(0.0, length(moving.a), len(evenly(moving.a, 0.2))), cumulative_lengths(moving.a)]
+    )
+    moving = moving._replace(a=at(moving.a, each_once(known)))
+    ends = moving.points(1.0)
+    feet = [(foot[0], at(line, foot[1])) for line in _outlines(b) for foot in [foot_points(ends, line)]]
+    nearest = np.argmin([away for away, _ in feet], axis=0)
+    return moving._replace(left=np.choose(nearest, [places for _, places in feet]) - ends)
+
+
+def _outlines(lines: Sequence[PenLine]) -> list[ComplexArray]:
+    return [line.outline if len(line.points) > 1 else np.repeat(line.points, 2) for line in lines]
+
+
+def _partners_of(moving: Sequence[Whole], b: Sequence[PenLine]) -> list[int]:
+    """Return the line of B on which each moved line ends up, for its paint."""
+    middles = [complex(each.points(1.0).mean()) for each in moving]
+    return [
+        int(np.argmin([foot_points(np.array([middle]), points)[0][0] for points in _outlines(b)]))
+        for middle in middles
+    ]
+
+
+def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexArray], least: float) -> bool:
+    """Return whether the lines of A, moved, lie on those of B along a share of both, and the reverse."""
+    there = _outlines(b)
+    width = min(line.width for line in (*a, *b))
+    for lines, others in ((moved, there), (there, moved)):
+        points = np.concatenate([evenly(line, 0.3) for line in lines])
+        away = np.min([foot_points(points, other)[0] for other in others], axis=0)
+        if np.mean(away < SAME_PLACE * width) < least or (least > LEAST_TURNED and away.max() > width):
+            return False
+    return True
+
+
+def centre_of(lines: Sequence[PenLine]) -> complex:
+    """Return the centre of the box around lines."""
+    return Box.around(np.concatenate([line.points for line in lines])).centre
