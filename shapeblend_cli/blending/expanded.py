@@ -16,7 +16,7 @@ from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.riders import riders
 from shapeblend_cli.pens.drawings import file_line
 from shapeblend_cli.pens.line import UNITS, evenly
-from shapeblend_cli.pens.region import Recovered, stroke_edges
+from shapeblend_cli.pens.recovery.region import Recovered, stroke_edges
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence

@@ -18,14 +18,14 @@ from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
-from shapeblend_cli.pens.recover import recover
+from shapeblend_cli.pens.recovery.recover import recover
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
-    from shapeblend_cli.pens.region import Recovered
+    from shapeblend_cli.pens.recovery.region import Recovered
 
 CURVE_POINTS = 12
 """Minimum number of points on each curved segment of a stroke."""

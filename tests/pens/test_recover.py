@@ -10,7 +10,7 @@ from shapeblend_cli.geometry.raster import winding_grid
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
-from shapeblend_cli.pens.region import Recovered, Region, stroke_edges
+from shapeblend_cli.pens.recovery.region import Recovered, Region, stroke_edges
 from shapeblend_cli.svg.reading.read import read
 from tests.support import drawings
 
@@ -156,7 +156,7 @@ def test_what_is_filled_and_stroked_is_no_line():
 
 @pytest.mark.parametrize("size", [1e4, 1e8])
 def test_outlines_far_larger_than_the_viewbox_are_not_sampled(size, monkeypatch):
-    monkeypatch.setattr("shapeblend_cli.pens.recover._sampled", None)
+    monkeypatch.setattr("shapeblend_cli.pens.recovery.recover._sampled", None)
     assert lines_of(f"M0 0H{size}V2H0Z").lines == []
 
 

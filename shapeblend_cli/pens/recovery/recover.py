@@ -19,15 +19,15 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges, needed
 from shapeblend_cli.model.arrays import rolled
-from shapeblend_cli.pens.balls import ball_diameters
 from shapeblend_cli.pens.line import UNITS, chains, evenly, length, part_of
-from shapeblend_cli.pens.region import Region, Stretch, checked, distance_ahead
+from shapeblend_cli.pens.recovery.balls import ball_diameters
+from shapeblend_cli.pens.recovery.region import Region, Stretch, checked, distance_ahead
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
-    from shapeblend_cli.pens.region import Recovered
+    from shapeblend_cli.pens.recovery.region import Recovered
 
 STEP = 0.1
 """Distance of sample points along an outline, in units."""
