@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 MOST_PIECES = 12
 """Maximum number of straight pieces of the lines in a plate."""
 
-MOST_OVERLAPS = 60
+MOST_OVERLAPS = 80
 """Maximum number of overlaps of these."""
 
 MOST_TOGETHER = 4
@@ -222,7 +222,7 @@ def plates_of(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box)
 
 
 def _cut_out(drawing: PlacedDrawing, scale: float) -> list[tuple[PlacedContour, list[PenLine]]]:
-    """Return the exteriors with holes that are open lines, all of them, and these lines."""
+    """Return the exteriors with holes that are open lines or dots, all of them, and these lines."""
     found = []
     for plate in drawing.contours:
         if plate.role != EXTERIOR or plate.style.fill is None or plate.style.stroke is not None:
@@ -231,13 +231,25 @@ def _cut_out(drawing: PlacedDrawing, scale: float) -> list[tuple[PlacedContour, 
         lines: list[PenLine] | None = []
         for hole in holes:
             own, rests = recovered_lines([hole._replace(role=EXTERIOR, exterior=None)], scale) or ([], [])
-            if not own or rests or lines is None or any(line.closed or len(line.points) < 2 for line in own):
+            if not own or rests or lines is None or not all(map(_is_open, own)):
                 lines = None
                 break
-            lines += [line._replace(points=line.points[needed(line.points, STRAIGHT)]) for line in own]
-        if lines and sum(len(line.points) - 1 for line in lines) <= MOST_PIECES:
+            lines += [_simplified(line) for line in own]
+        if lines and sum(max(1, len(line.points) - 1) for line in lines) <= MOST_PIECES:
             found.append((plate, lines))
     return found
+
+
+def _is_open(line: PenLine) -> bool:
+    """Return whether a line is open, or a round dot."""
+    return not line.closed and (len(line.points) > 1 or line.style.stroke_linecap == "round")
+
+
+def _simplified(line: PenLine) -> PenLine:
+    """Return a line without the vertices that it does not need."""
+    if len(line.points) < 2:
+        return line
+    return line._replace(points=line.points[needed(line.points, STRAIGHT)])
 
 
 def _is_same_plate(p: PlacedContour, q: PlacedContour) -> bool:
@@ -314,7 +326,7 @@ def _overlaps(inlays: Sequence[Inlay], unit: float) -> dict[tuple[int, ...], int
         if len(pieces) > 2 * MOST_PIECES:
             return None
         groups: dict[tuple[int, ...], ComplexArray] = {(k,): piece for k, piece in enumerate(pieces)}
-        for _ in range(MOST_TOGETHER - 1):
+        for size in range(2, MOST_TOGETHER + 2):
             larger: dict[tuple[int, ...], ComplexArray] = {}
             for group, k in ((g, k) for g in groups for k in range(g[-1] + 1, len(pieces))):
                 if all(
@@ -323,6 +335,8 @@ def _overlaps(inlays: Sequence[Inlay], unit: float) -> dict[tuple[int, ...], int
                     common = _common([groups[group], pieces[k]])
                     if len(common) > 2 and abs(signed_area(common)) > SPECK * unit * unit:
                         larger[*group, k] = common
+            if larger and size > MOST_TOGETHER:
+                return None
             for group, common in larger.items():
                 found[group] = max(found.get(group, 0), len(common))
             groups = larger

@@ -56,6 +56,17 @@ def test_lines_become_lines_of_the_same_width_within_the_plate(a, b, backwards):
     assert min(areas) > 0.55 * min(areas[0], areas[-1])
 
 
+def test_dots_are_lines_too():
+    dot = "M{0} {1}A1 1 0 1 1 {2} {1}A1 1 0 1 1 {0} {1}Z"
+    i, mark = dot.format(11, 7, 13) + "M11 10H13V17H11Z", dot.format(11, 17, 13) + "M11 7H13V14H11Z"
+    pair = pair_of(i, mark)
+    (shape,) = pair.shapes
+    assert shape.motion_name == "pen"
+    assert frame_at(pair, 1.0, as_drawn=True).shapes == pair.drawn[1]
+    inks = [painted(pair, t).sum() for t in np.linspace(0.0, 1.0, 5)]
+    assert min(inks) > 0.98 * max(inks)
+
+
 @pytest.mark.parametrize("t", [0.0, 1.0])
 @pytest.mark.parametrize(("a", "b"), PAIRS)
 def test_both_ends_are_the_drawings(a, b, t):
