@@ -29,7 +29,7 @@ from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work, travelling
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
-from shapeblend_cli.pens.turned import as_whole, centre_of
+from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -249,6 +249,11 @@ def line_moves(
     ]
     slash = slash_among(free[0], free[1], kept)
     crossing = free[slash[0]].pop(slash[1]) if slash else None
+    may_turn = settings.motion != "linear" and not (settings.mix or settings.stiff)
+    turned = sign_turned(free[0], free[1]) if may_turn else None
+    if turned:
+        moves += turned
+        free = [[], []]
     found = least_work(free[0], free[1], centres)
     others, *copied = split_moves(found, moves)
     moves += others

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import permutations
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +11,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Whole
 from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
-from shapeblend_cli.pens.moves import Move
+from shapeblend_cli.pens.moves import Move, alike
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -30,6 +31,13 @@ LEAST_COPIED = 0.9
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
 
+MOST_OF_SIGN = 4
+"""Maximum number of lines of a sign that turns."""
+
+MOST_LEFT = 0.35
+"""Maximum way that places of a sign go besides turning, as a share of the way that they go without."""
+
+SIGN_TURNED = "a sign is turned as a whole"
 TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as a whole"
 
 
@@ -51,6 +59,48 @@ def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
             for line, each, other in zip(a, moving, nearest, strict=True)
         ]
     return None
+
+
+def sign_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
+    """Turn a sign of several lines by half a turn, if that nearly gives the other one; None if it does not.
+
+    An i becomes an exclamation mark so: its dot would pass through its stem.
+    """
+    if len(a) != len(b) or not 2 <= len(a) <= MOST_OF_SIGN or any(line.closed for line in (*a, *b)):
+        return None
+    centre, target = centre_of(a), centre_of(b)
+    moving = [Whole(points, centre, target, angle=np.pi) for points in _outlines(a)]
+    moved, least = _nearest([each.points(1.0) for each in moving], _outlines(b))
+    if least > MOST_LEFT * _nearest(_outlines(a), _outlines(b))[1]:
+        return None
+    found = []
+    for line, each, (other, image) in zip(a, moving, moved, strict=True):
+        own, image = alike(each.a, image)
+        whole = each._replace(a=own)
+        whole = whole._replace(left=image - whole.points(1.0))
+        found.append(Move(line, b[other], Pen((whole,)), SIGN_TURNED))
+    return found
+
+
+def _nearest(
+    lines: Sequence[ComplexArray], others: Sequence[ComplexArray]
+) -> tuple[list[tuple[int, ComplexArray]], float]:
+    """Return which line becomes which other, in what direction, and how far their places move, in units.
+
+    It is the mean over lines of the mean over places.
+    """
+    places = np.linspace(0.0, 1.0, 9)
+    sampled = [[at(each, places * length(each)) for each in side] for side in (lines, others)]
+    ways = [[[np.abs(p - q).mean(), np.abs(p - q[::-1]).mean()] for q in sampled[1]] for p in sampled[0]]
+    costs = np.array(ways)
+    order = min(
+        permutations(range(len(others))), key=lambda order: sum(costs[range(len(lines)), order].min(1))
+    )
+    found = []
+    for k, other in enumerate(order):
+        is_back = costs[k, other, 1] < costs[k, other, 0]
+        found.append((other, others[other][::-1] if is_back else others[other]))
+    return found, float(np.mean([costs[k, other].min() for k, other in enumerate(order)]))
 
 
 def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:

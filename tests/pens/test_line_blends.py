@@ -10,16 +10,18 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import control_box
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
-from shapeblend_cli.pens.turned import FLIPPED, TURNED
+from shapeblend_cli.pens.turned import FLIPPED, SIGN_TURNED, TURNED
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import drawing, svg
 
 ICONS = Path(__file__).parent / "icons"
+ROUND = '<path d="{}" fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"/>'
 TIMES = [k / 10 for k in range(11)]
 
 PAIRS = [
@@ -106,6 +108,24 @@ def test_a_drawing_that_is_turned_or_flipped_is_so_as_a_whole():
         ("B is A turned", TURNED)
     )
     assert reasons(blend(strokes(f"{hook} M9 12H12"), strokes(f"{flipped} M15 12H12"))) == [FLIPPED, FLIPPED]
+
+
+def test_a_sign_that_is_nearly_the_other_one_upside_down_turns_within_what_stays():
+    ring, i, mark = (
+        "M12 2A10 10 0 1 1 12 22A10 10 0 1 1 12 2Z",
+        "M12 8h.01 M11 12H12V16H13",
+        "M12 8V12 M12 16h.01",
+    )
+    pair = blend(*(drawing(ROUND.format(f"{ring} {sign}")) for sign in (i, mark)))
+    assert reasons(pair) == [STAYS, SIGN_TURNED, SIGN_TURNED]
+    boxes = [control_box(paths_at(shape, 0.5)).centre for shape in pair.shapes if shape.reason == SIGN_TURNED]
+    assert abs(boxes[0].real - boxes[1].real) > 3.0
+    assert abs(boxes[0].imag - boxes[1].imag) < 1.0
+
+
+def test_a_sign_that_stays_upright_does_not_turn():
+    pair = blend(*(drawing(ROUND.format(d)) for d in ("M12 8h.01 M12 12V16", "M12 5h.01 M10 10H12V17")))
+    assert SIGN_TURNED not in reasons(pair)
 
 
 @pytest.mark.parametrize("backwards", [False, True])
