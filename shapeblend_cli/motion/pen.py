@@ -59,7 +59,8 @@ class Straight(NamedTuple):
 class Pressed(NamedTuple):
     """A ring that is pressed flat to a line, or a line that opens to one: both sides are one line for a while.
 
-    `across` is how far each point of the ring lies beside the ring's axis.
+    `across` is how far each point of the ring lies beside the ring's axis. The ring is narrow for a short time only: as
+    long as its sides touch, it looks like a thick line.
     """
 
     a: ComplexArray
@@ -70,7 +71,7 @@ class Pressed(NamedTuple):
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time."""
         even = t if self.opens else 1.0 - t
-        open_ = max(0.0, 1.0 - (1.0 - even) / PRESSED)
+        open_ = 1.0 - min(1.0, (1.0 - even) / PRESSED) ** 2
         return (1.0 - t) * self.a + t * self.b + (open_ - even) * self.across
 
     def scaled(self, by: float) -> Pressed:

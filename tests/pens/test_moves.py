@@ -166,7 +166,8 @@ def test_little_changes_in_the_first_and_the_last_thousandth(names):
     (pair,), _ = match_all([read(str(ICONS / "lucide" / f"{name}.svg")) for name in names], Settings())
     for end, near in ((0.0, 1e-3), (1.0, 1.0 - 1e-3)):
         pictures = [picture(frame_at(pair, t, as_drawn=True).shapes, pair.views[0])[3] for t in (end, near)]
-        assert np.mean(np.abs(pictures[0] - pictures[1]) > 0.25) < 0.002
+        # Icons have edges along the rows of pixels, whose side is decided by the tolerance of flattening.
+        assert np.mean(np.abs(pictures[0] - pictures[1]) > 0.25) < 0.003
 
 
 def test_halves_close_alike_above_and_below_however_the_vertices_lie():
