@@ -36,7 +36,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
 
-demo: $(VENV)/.compiled ## blend a cow into a deer, and a bird: frames, animated SVGs, a contact sheet, a page to look at them
+demo: ready ## blend a cow into a deer, and a bird: frames, animated SVGs, a contact sheet, a page to look at them
 	@mkdir -p $(DEMO)
 	@rm -f $(DEMO)/frames/*.svg
 	$(BIN)/shapeblend samples/cow.svg samples/deer.svg --frames 7 --ends --force --output $(DEMO)/frames
@@ -176,7 +176,8 @@ clean: ## remove what the other targets made, except the pictures in docs
 	find shapeblend_cli tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Bytecode is written here because some machines forbid Python to write it when it imports.
-install: $(VENV)/.installed $(VENV)/.compiled ## set up .venv with the command and everything development needs
+install: ready ## set up .venv with the command and everything development needs
+	@$(MAKE) --no-print-directory $(VENV)/.installed
 	@$(BIN)/python -m compileall -q shapeblend_cli
 
 ## ---- how it gets there
@@ -198,12 +199,22 @@ $(VENV)/.created:
 	"$$ready" -m venv --clear $(VENV)
 	@touch $@
 
-# Editable, so that edits of plain modules take effect at once. Compiling is left to the next step. The demonstration
-# needs no more than this: what [build-system] asks for is installed here, as builds are not isolated.
-$(VENV)/.runs: $(VENV)/.created pyproject.toml
+# What [build-system] asks for, as builds are not isolated.
+$(VENV)/.builds: $(VENV)/.created pyproject.toml
 	@echo "installing into $(VENV)"
-	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet 'Cython>=3.1' 'setuptools>=77' --editable '.[pictures]'
+	@$(BIN)/python -m pip install --quiet 'Cython>=3.1' 'setuptools>=77'
 	@touch $@
+
+# Editable, so that edits of plain modules take effect at once. Compiling is another step. The demonstration needs no
+# more than this.
+$(VENV)/.runs: $(VENV)/.builds
+	@SHAPEBLEND_PURE=1 $(BIN)/python -m pip install --quiet --editable '.[pictures]'
+	@touch $@
+
+# Both at once: installing waits for servers and disks.
+.PHONY: ready
+ready: $(VENV)/.builds
+	@$(MAKE) --no-print-directory --jobs=2 $(VENV)/.runs $(VENV)/.compiled
 
 $(VENV)/.installed: $(VENV)/.runs
 	@echo "installing what development needs"
@@ -212,7 +223,7 @@ $(VENV)/.installed: $(VENV)/.runs
 
 # A binary beside its source hides it, so all old ones go before anything else can fail, also those of modules that are
 # compiled no longer. The stamp is set only when all are there: after installing a compiler, `make` tries again.
-$(VENV)/.compiled: $(VENV)/.runs setup.py $(KERNEL_SOURCES)
+$(VENV)/.compiled: $(VENV)/.builds setup.py $(KERNEL_SOURCES)
 	@rm -f $@
 	@find shapeblend_cli -name "*.so" -exec rm -f {} +
 	@$(BIN)/python setup.py --quiet build_ext --inplace
