@@ -26,6 +26,8 @@ from shapeblend_cli.model import Box, Contour, CubicPath, Polygon, frozen
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
 
+    Pieces = tuple[ComplexArray, ComplexArray, BoolArray]  # see `_pieces`
+
 TOLERANCE = 2e-3
 """Maximum deviation of in-betweens of curves from in-betweens of polygons, as a share of the larger outline's size.
 
@@ -92,11 +94,12 @@ def common_segments(
     if all(one.straight.all() and one.node.all() for one in (a, b)):
         # Of drawings made of lines nothing is rounded, and the solver's own paths are the best.
         cuts = unroll_from_node(a, b, dots)
+        pieces = _pieces(a, b, cuts)
     else:
         match = even_lines(match_continuously(a, b, dots))
         distance = TOLERANCE * max(Box.around(polygon.vertices).larger_side for polygon in (a, b))
-        cuts = _slide_cuts(match, _find_cuts(match, distance), distance)
-    segments_a, segments_b, straight = _pieces(a, b, cuts)
+        cuts, pieces = _slide_cuts(match, *_find_cuts(match, distance), distance)
+    segments_a, segments_b, straight = pieces
     return CommonSegments(
         CubicPath(segments_a, straight, a.closed),
         CubicPath(segments_b, straight, a.closed),
@@ -114,9 +117,7 @@ def _grow_from(nothing: Contour, contour: Contour, polygon: Polygon) -> CommonSe
     return CommonSegments(start, end, (frozen(np.zeros_like(cuts), np.float64), frozen(cuts, np.float64)))
 
 
-def _pieces(
-    a: ContourParameter, b: ContourParameter, cuts: FloatArray
-) -> tuple[ComplexArray, ComplexArray, BoolArray]:
+def _pieces(a: ContourParameter, b: ContourParameter, cuts: FloatArray) -> Pieces:
     """Return the pieces of both contours between the cuts, (s, 4) each, and which are straight in both."""
     pieces, lines = [], []
     for side, one in enumerate((a, b)):
@@ -133,24 +134,24 @@ def _pieces(
     return divided_a, divided_b, lines[0] & lines[1]
 
 
-def _deviation(match: ContinuousMatch, cuts: FloatArray) -> FloatArray:
-    segments_a, segments_b, _ = _pieces(match.a, match.b, cuts)
-    return deviation(segments_a, segments_b, match, cuts)
+def _find_cuts(match: ContinuousMatch, distance: float) -> tuple[FloatArray, Pieces]:
+    """Return cuts, (s + 1, 2), at the nodes and where the curves would otherwise deviate by more than a distance.
 
-
-def _find_cuts(match: ContinuousMatch, distance: float) -> FloatArray:
-    """Return cuts, (s + 1, 2), at the nodes and where the curves would otherwise deviate by more than a distance."""
+    The second result is the pieces between them.
+    """
     plain, nodes = _cuts_at_nodes(match)
     first = _pairs_to_merge(match, plain, nodes)
     extra = np.zeros((0, 2))
     for _ in range(MOST_ROUNDS):
         cuts, merged = _merge(plain, nodes, first, extra)
-        apart, more = _remedies(match, cuts, merged, _deviation(match, cuts), distance)
+        pieces = _pieces(match.a, match.b, cuts)
+        far = deviation(*pieces[:2], match, cuts)
+        apart, more = _remedies(match, cuts, merged, far, distance)
         if not apart and not more:
             break
         first = first[~is_among(first, np.array(apart, np.intp))]
         extra = np.concatenate([extra, np.reshape(more, (-1, 2))])
-    return cuts
+    return cuts, pieces
 
 
 def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
@@ -224,8 +225,17 @@ def _remedies(
     return apart, more
 
 
-def _slide_cuts(match: ContinuousMatch, cuts: FloatArray, distance: float) -> FloatArray:
-    """Slide cuts for smoother joints as far as the curves stay within a distance of the polygons."""
+def _slide_cuts(
+    match: ContinuousMatch, cuts: FloatArray, pieces: Pieces, distance: float
+) -> tuple[FloatArray, Pieces]:
+    """Slide cuts for smoother joints as far as the curves stay within a distance of the polygons.
+
+    Returns
+    -------
+    cuts : (s + 1, 2) float
+    pieces : Pieces
+        Those between the cuts; what is given are those before the cuts slide.
+    """
     ends = match.positions[[0, -1]]
     held = match.positions[match.fixed]
     held = held[(held != ends[0]).any(axis=1) & (held != ends[1]).any(axis=1)]
@@ -234,16 +244,17 @@ def _slide_cuts(match: ContinuousMatch, cuts: FloatArray, distance: float) -> Fl
     for _ in range(SLIDING_ROUNDS):
         wanted = slide_cuts(match.a, match.b, wanted, loose, distance)
     if (wanted == cuts).all():
-        return cuts
+        return cuts, pieces
     tried = np.zeros(len(cuts), np.intp)
     while True:
         slid = cuts + np.take(SLIDE_SHARES, tried)[:, None] * (wanted - cuts)
-        pieces = match.piece_at(slid, match.positions[_deviation(match, slid) > distance])
+        pieces = _pieces(match.a, match.b, slid)
+        far = match.piece_at(slid, match.positions[deviation(*pieces[:2], match, slid) > distance])
         back = np.zeros(len(cuts), np.bool_)
-        back[pieces] = back[pieces + 1] = True
+        back[far] = back[far + 1] = True
         if match.a.closed:
             back[[0, -1]] = back[0] | back[-1]
         back &= (tried < len(SLIDE_SHARES) - 1) & (wanted != cuts).any(axis=1)
         if not back.any():
-            return slid
+            return slid, pieces
         tried[back] += 1
