@@ -18,9 +18,9 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
-    from cython.cimports.libc.math import sqrt
+    from cython.cimports.libc.math import ceil, sqrt
 else:
-    from math import sqrt
+    from math import ceil, sqrt
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray
@@ -35,6 +35,10 @@ _NODES = 0.5 + 0.5 * np.array(
     [-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526]
 )
 _WEIGHTS = 0.5 * np.array([0.34785484513745385, 0.6521451548625461, 0.6521451548625461, 0.34785484513745385])
+
+# The places of all nodes on a segment, and what each control point adds to the derivative there.
+_PLACES = (np.arange(ARC_PIECES)[:, None] + _NODES).ravel() / ARC_PIECES
+_BASIS = np.stack([(1.0 - _PLACES) ** 2, 2.0 * _PLACES * (1.0 - _PLACES), _PLACES * _PLACES])
 
 _THIRDS = np.array([0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0])
 
@@ -90,16 +94,38 @@ def arc_lengths(segments: ComplexArray) -> FloatArray:
 
     They are four-point Gauss quadratures of the speed.
     """
-    t = (np.arange(ARC_PIECES)[:, None] + _NODES).ravel() / ARC_PIECES
-    hodograph = 3.0 * np.diff(segments, axis=1)
-    basis = np.stack([(1.0 - t) ** 2, 2.0 * t * (1.0 - t), t * t])
-    speed = np.abs(hodograph @ basis).reshape(len(segments), ARC_PIECES, len(_NODES))
+    hodograph = 3.0 * (segments[:, 1:] - segments[:, :-1])
+    speed = np.abs(hodograph @ _BASIS).reshape(len(segments), ARC_PIECES, len(_NODES))
     return speed @ (_WEIGHTS / ARC_PIECES)
 
 
 def lengths(segments: ComplexArray) -> FloatArray:
     """Return the arc length of each segment, (k,) float."""
     return arc_lengths(segments).sum(axis=1)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def longest_piece(
+    lengths: cython.const[cython.double][::1],
+    low: cython.double,
+    high: cython.double,
+    pieces: cython.double,
+    halvings: cython.int,
+) -> float:
+    """Return the length of a piece, from low to high, of which all lengths have so many at the most, by bisection."""
+    for _ in range(halvings):
+        middle: cython.double = 0.5 * (low + high)
+        count: cython.double = 0.0
+        k: cython.Py_ssize_t
+        for k in range(lengths.shape[0]):
+            count += ceil(lengths[k] / middle)
+        if count <= pieces:
+            high = middle
+        else:
+            low = middle
+    return high
 
 
 def pieces(segments: ComplexArray, start: FloatArray, end: FloatArray) -> ComplexArray:

@@ -31,6 +31,9 @@ COINCIDENT = 1e-9
 """Maximum distance of vertices that are one, as a share of the larger side of the box."""
 
 
+HALVINGS = 40
+"""Number of times that the length of a piece is bisected."""
+
 DECIMALS = 5
 """Number of decimals of coordinates in which outlines agree that are cut alike, in sizes of their boxes: far less than
 `TOLERANCE`."""
@@ -167,14 +170,10 @@ def _share_out(lengths: FloatArray, pieces: int) -> IntArray:
     The longest pieces are halved, thirded and so on until there are enough: the piece length is
     bisected so that the counts ``ceil(length / piece)`` add up to at most `pieces`.
     """
-    counts = np.ones(len(lengths), np.intp)
-    if pieces <= len(lengths):
-        return counts
-    low, high = lengths.sum() / pieces, lengths.max()
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        counts = np.ceil(lengths / middle).astype(np.intp)
-        low, high = (low, middle) if counts.sum() <= pieces else (middle, high)
+    if pieces <= len(lengths) or not lengths.any():
+        return np.ones(len(lengths), np.intp)
+    even, longest = lengths.sum() / pieces, lengths.max()
+    high = cubics.longest_piece(np.ascontiguousarray(lengths), even, longest, pieces, HALVINGS)
     return np.maximum(np.ceil(lengths / high).astype(np.intp), 1)
 
 
