@@ -103,6 +103,7 @@ HANDED_DOWN = {
         for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid", "Posed")
         for what in ("name", "segments")
     ),
+    "Proof.__call__",  # the lower bound of a `Correspondence`, searched for when it is asked for
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }
 

@@ -35,6 +35,10 @@ FACTOR = 3
 PADS = (16, 24, 32, 48, 64, 96, 128, 192, 256)
 """Widths of the margin of a corridor around coarse paths, in vertices to all sides: the largest with room is taken."""
 
+NEAR_SHARE = 24
+"""Share of the second polygon's vertices, one in so many, that the margin of a corridor around a given path is, if that
+is more than the least width: outlines of more detail have more paths of nearly the same work."""
+
 FOLLOWED = (
     (0.4, 1 / 16),
     (0.2, 1 / 16),
@@ -138,7 +142,7 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
     region = corridor(
         np.arange(len(rows)),
         np.stack([rows, rows], axis=1),
-        np.full(len(rows), PADS[0]),
+        np.full(len(rows), max(PADS[0], n // NEAR_SHARE)),
         (m, n) if closed else None,
         inside,
     )

@@ -54,7 +54,7 @@ from shapeblend_cli.model.style import Stop as Stop
 from shapeblend_cli.model.style import Style as Style
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model.arrays import BoolArray as BoolArray
     from shapeblend_cli.model.arrays import ComplexArray as ComplexArray
@@ -89,9 +89,10 @@ class Correspondence:
     closed : bool
     terms : Work
         Its terms are attributes of the correspondence, too.
-    lower_bound : float
-        Minimum work of any correspondence of the two polygons in these directions: from any start, through any
-        vertices, in no band, exactly solved. Equal to the work if all of these were searched; 0 if nothing is known.
+    bound : float or callable
+        What `lower_bound` gives, or searches for it when that is asked for. It is the minimum work of any
+        correspondence of the two polygons in these directions: from any start, through any vertices, in no band,
+        exactly solved. Equal to the work if that is the least; 0 if nothing is known.
     zero_angles : int
         Dots whose angle reaches zero.
     diagonal_deviation : float
@@ -103,7 +104,7 @@ class Correspondence:
     dots: IntArray
     closed: bool
     terms: Work
-    lower_bound: float
+    bound: float | Callable[[], float]
     zero_angles: int
     diagonal_deviation: float
     sweeps: int
@@ -114,7 +115,7 @@ class Correspondence:
     @classmethod
     def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
         """Return a correspondence that was given, not solved, without its work."""
-        return cls(dots, closed, Work(), lower_bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
+        return cls(dots, closed, Work(), bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
 
     @property
     def pairs(self) -> IntArray:
@@ -140,6 +141,11 @@ class Correspondence:
     def travel(self) -> float:
         """The work of travel."""
         return self.terms.travel
+
+    @property
+    def lower_bound(self) -> float:
+        """Minimum work of any correspondence of the two polygons, see `bound`."""
+        return self.bound() if callable(self.bound) else self.bound
 
     @property
     def gap(self) -> float:

@@ -11,6 +11,7 @@ Not in the paper, whose polygons are given.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +20,7 @@ from shapeblend_cli.geometry.polyline import tridiagonal
 from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.solve import NothingLess, is_proven
 from shapeblend_cli.model import unroll
-from shapeblend_cli.wires.contour_match import Solved
+from shapeblend_cli.wires.contour_match import Proof, Solved
 
 if TYPE_CHECKING:
     from shapeblend_cli.geometry.flat_contour import FlatContour
@@ -47,24 +48,29 @@ SHORTEST_STEP = 1e-15
 
 def solve_with_common_cuts(match: ContourMatch) -> Solved:
     """Solve two contours, each cut where the other has vertices."""
-    return refine(match, Solved(match.a, match.b, match.first), match.solve)
+    solved = refine(Solved(match.a, match.b, match.first), match.solve)
+    a, b, found = solved
+    if not is_proven(len(a.polygon.vertices), len(b.polygon.vertices), match.settings.effort):
+        return solved
+    if match.settings.effort == "exact":
+        everywhere = match.everywhere(solved)
+        # Else there was too much to search.
+        return everywhere if everywhere.correspondence.work <= FAR_MORE * found.work else solved
+    return Solved(a, b, replace(found, bound=Proof(match, solved)))
 
 
-def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
+def refine(start: Solved, solve: Solve) -> Solved:
     """Cut two contours where they correspond and solve again near that, until the work stops falling.
 
-    The work before the first cut is of another problem, and does not count. Where the effort allows, the last cuts are
-    solved everywhere.
+    The work before the first cut is of another problem, and does not count.
 
     Parameters
     ----------
-    match : ContourMatch
     start : Solved
         Two contours in the same direction.
     solve : callable
         Finds the correspondence of these contours with other vertices: near a vertex of the second for each of the
-        first, if that is given, and where only less than a given work is of use: `NothingLess` may be raised. Else it
-        knows that some correspondence takes that work. It may change the vertices.
+        first, and where only less than a given work is of use: `NothingLess` may be raised. It may change the vertices.
     """
     a, b, _ = start
     solved = solve(*common_cuts(a, b, start), np.inf)
@@ -76,11 +82,6 @@ def refine(match: ContourMatch, start: Solved, solve: Solve) -> Solved:
         if again.correspondence.work >= solved.correspondence.work:
             break
         solved = again
-    a, b, found = solved
-    if is_proven(len(a.polygon.vertices), len(b.polygon.vertices), match.settings.effort):
-        everywhere = solve(a, b, None, found.work)
-        if everywhere.correspondence.work <= FAR_MORE * found.work:  # else there was too much to search
-            solved = everywhere
     return solved
 
 

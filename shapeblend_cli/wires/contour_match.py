@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
     Solve = Callable[[FlatContour, FlatContour, IntArray | None, float], "Solved"]
+
+OTHERWISE = 1.25
+"""Maximum ratio between the least works of two contours with one set of vertices and with another."""
 
 NOISE = 1e-12
 """Maximum rounding error of work, in units of work."""
@@ -81,22 +85,43 @@ class ContourMatch:
             p, q, solve(p.polygon, directed, self.settings, self.constraints, near=near, known=known)
         )
 
-    def unless_far_more(self, solved: Solved, most: float | None, known: float = np.inf) -> Solved | None:
+    def unless_far_more(self, solved: Solved, most: float | None) -> Solved | None:
         """Return a correspondence with the lower bound of all matches; None if it takes too many times the least work.
 
         Parameters
         ----------
         solved : Solved
         most : float or None
-            Maximum work as a multiple of the least work; None is any.
-        known : float
-            The work of some match.
+            Maximum work as a multiple of the least work, of these vertices or before they were cut; None is any.
         """
-        a, b, found = solved
-        least = self.solve(a, b, None, found.work).correspondence
-        if most is not None and found.work > most * min(known, least.work) + NOISE:
-            return None
-        return Solved(a, b, replace(found, lower_bound=min(least.lower_bound, found.work)))
+        found, first = solved.correspondence, self.first.work
+        proof = Proof(self, solved)
+        # Where it is clearly less, the least work of these vertices need not be known.
+        if most is not None and found.work > most / OTHERWISE * first + NOISE:
+            if found.work > most * min(first, proof.least.work) + NOISE:
+                return None
+        return solved._replace(correspondence=replace(found, bound=proof))
+
+    def everywhere(self, solved: Solved) -> Solved:
+        """Solve the same vertices again, not only near a path, knowing the work of that."""
+        return self.solve(solved.a, solved.b, None, solved.correspondence.work)
+
+
+class Proof:
+    """A lower bound of all matches with the vertices of one that was solved, searched for when first asked for."""
+
+    def __init__(self, match: ContourMatch, solved: Solved) -> None:
+        """Keep what is searched."""
+        self._match, self._solved = match, solved
+
+    @cached_property
+    def least(self) -> Correspondence:
+        """The least work of these vertices."""
+        return self._match.everywhere(self._solved).correspondence
+
+    def __call__(self) -> float:
+        """Return the lower bound."""
+        return min(self.least.lower_bound, self._solved.correspondence.work)
 
 
 def rotated_back(polygon: Polygon, rotation: float) -> Polygon:

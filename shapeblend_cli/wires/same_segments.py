@@ -214,7 +214,7 @@ def solve_with_same_segments(match: ContourMatch) -> Solved | None:
     if not found:
         return None
     most, matched = min(found, key=lambda one: one[1].correspondence.work / one[0])
-    return match.unless_far_more(matched, most, first.work)
+    return match.unless_far_more(matched, most)
 
 
 def _drawn_alike(a: FlatContour, b: FlatContour) -> Iterator[tuple[Curves, Curves]]:

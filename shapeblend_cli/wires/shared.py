@@ -79,7 +79,7 @@ def solve_with_shared(match: ContourMatch) -> Solved | None:
         dots = _joined((p, q), anchors, limbs, whole, match.settings.effort)
         return Solved(p, q, priced(whole, dots))
 
-    solved = refine(match, solve_pieces(*cut), solve_pieces)
+    solved = refine(solve_pieces(*cut), solve_pieces)
     return match.unless_far_more(solved, None if any(limbs) else MOST)
 
 

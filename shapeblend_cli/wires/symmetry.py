@@ -138,7 +138,6 @@ def solve_with_symmetry(match: ContourMatch) -> Solved | None:
     ) -> Solved:
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
         flats = parts[0].flat, parts[1].flat
-        # The last cuts are solved once more where they change nothing: there is nothing beyond a search everywhere.
         cuts = tuple(
             some.tobytes() for side in parts for some in (side.flat.polygon.vertices, *side.vertices)
         )
@@ -147,10 +146,10 @@ def solve_with_symmetry(match: ContourMatch) -> Solved | None:
         return Solved(*flats, found[cuts])
 
     try:
-        solved = refine(match, solve_part(match.a, match.b), solve_part)
+        solved = refine(solve_part(match.a, match.b), solve_part)
     except CutsMeet:
         return None
-    return match.unless_far_more(solved, MOST, match.first.work)
+    return match.unless_far_more(solved, MOST)
 
 
 def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
