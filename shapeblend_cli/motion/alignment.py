@@ -51,6 +51,11 @@ class Alignment(NamedTuple):
     rotation: float  # in radians, positive from x towards y
 
     @property
+    def is_in_place(self) -> bool:
+        """Whether it maps every point to itself."""
+        return self.scale == 1.0 and self.rotation == 0.0 and self.centre_a == self.centre_b
+
+    @property
     def is_half_turn(self) -> bool:
         """Whether the other direction is as short."""
         return abs(self.rotation) > HALF_TURN

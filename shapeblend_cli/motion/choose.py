@@ -68,6 +68,11 @@ class RotatedShape(NamedTuple):
     alignment: Alignment
     turning: tuple[ShapeBlend, tuple[Alignment, ...]] | None = None
 
+    def is_straight(self, straight: ShapeBlend) -> bool:
+        """Return whether its rigid motion is that of the shape on straight paths."""
+        is_same = self.turning is None and self.shape.contours is straight.contours
+        return is_same and self.alignment.is_in_place
+
 
 class Situation(NamedTuple):
     """Circumstances of the choice of a motion, besides the shape itself."""
@@ -125,12 +130,19 @@ def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> Shape
     """Return the best of a judged shape on straight paths and the same shape in other motions."""
     tried = list(straight.candidates)
     best, least = straight, BETTER * tried[0].wrong
-    crossed = _crosses(straight)
+    crossed = None
     for motion in ("rigid", "intrinsic"):
+        if motion == "rigid" and rotated.is_straight(straight):
+            tried.append(tried[0]._replace(name=motion))
+            continue
         candidate = _with_motion(rotated, motion)
         tried.append(candidate_of(candidate, view))
         wrong = tried[-1].wrong
-        if crossed and wrong <= CLEAN * tried[0].wrong and not _crosses(candidate):
+        if wrong > CLEAN * tried[0].wrong:
+            continue
+        if crossed is None:
+            crossed = _crosses(straight)
+        if crossed and not _crosses(candidate):
             best, least, crossed = candidate, wrong, False
         elif wrong < least and (crossed or not _crosses(candidate)):
             best, least = candidate, wrong
