@@ -35,9 +35,14 @@ FACTOR = 3
 PADS = (16, 24, 32, 48, 64, 96, 128, 192, 256)
 """Widths of the margin of a corridor around coarse paths, in vertices to all sides: the largest with room is taken."""
 
+NEAR_PAD = 12
+"""Width of the margin of a corridor around a given path, in vertices to all sides."""
+
+DETAILED = 400
+"""Minimum number of vertices of a polygon of much detail, which has more paths of nearly the same work."""
+
 NEAR_SHARE = 24
-"""Share of the second polygon's vertices, one in so many, that the margin of a corridor around a given path is, if that
-is more than the least width: outlines of more detail have more paths of nearly the same work."""
+"""Number of its vertices for each vertex of that margin, where it has much detail."""
 
 FOLLOWED = (
     (0.4, 1 / 16),
@@ -142,7 +147,7 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
     region = corridor(
         np.arange(len(rows)),
         np.stack([rows, rows], axis=1),
-        np.full(len(rows), max(PADS[0], n // NEAR_SHARE)),
+        np.full(len(rows), NEAR_PAD if n < DETAILED else n // NEAR_SHARE),
         (m, n) if closed else None,
         inside,
     )
