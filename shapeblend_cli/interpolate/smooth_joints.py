@@ -94,57 +94,49 @@ def divide_lines(
     free = line_a ^ line_b
     if not free.any():
         return segments_a, segments_b
-    free_a, free_b = line_a & free, line_b & free
-    even_a = _match_speeds(segments_a, segments_b, free_a)
-    even_b = _match_speeds(segments_b, segments_a, free_b)
+    # A's pieces that are free, then B's: all are worked on at once, each beside what it is matched with.
+    on_a, on_b = (line_a & free).nonzero()[0], (line_b & free).nonzero()[0]
+    lines = np.concatenate([segments_a[on_a], segments_b[on_b]])
+    _match_speeds(lines, np.concatenate([segments_b[on_a], segments_a[on_b]]))
+    even_a, even_b = segments_a.copy(), segments_b.copy()
+    even_a[on_a], even_b[on_b] = lines[: len(on_a)], lines[len(on_a) :]
     a, b = _joints(even_a, closed), _joints(even_b, closed)
     excess = np.where(a.smooth & b.smooth, _excess(a, b), 0.0)
     # If both pieces at a joint can change, each takes half.
     share = np.exp(excess / np.maximum(1, free.astype(np.intp) + rolled(free, 1)))
-    following = rolled(share, -1)
-    return (
-        _scale_handles(even_a, free_a, share, 1.0 / following),
-        _scale_handles(even_b, free_b, 1.0 / share, following),
-    )
+    inverse = 1.0 / share
+    outward = np.concatenate([share[on_a], inverse[on_b]])
+    inward = np.concatenate([rolled(inverse, -1)[on_a], rolled(share, -1)[on_b]])
+    _scale_handles(lines, outward, inward)
+    even_a[on_a], even_b[on_b] = lines[: len(on_a)], lines[len(on_a) :]
+    return even_a, even_b
 
 
-def _match_speeds(segments: ComplexArray, others: ComplexArray, lines: BoolArray) -> ComplexArray:
+def _match_speeds(lines: ComplexArray, matched: ComplexArray) -> None:
     """Divide lines so that each is as fast at its ends, for its length, as the curve it is matched with.
 
     Then both have passed the same share of their lengths at about the same time, as the polygons have.
     """
-    if not lines.any():
-        return segments
-    matched = others[lines]
     legs = np.abs(matched[:, 1:] - matched[:, :-1])
-    chord = np.abs(matched[:, 3] - matched[:, 0])
-    length = 0.5 * (legs.sum(axis=1) + chord)
-    length = np.where(length > 0.0, length, 1.0)
-    return _set_handles(segments, lines, legs[:, 0] / length, legs[:, 2] / length)
+    length = 0.5 * (legs.sum(axis=1) + np.abs(matched[:, 3] - matched[:, 0]))
+    length[length <= 0.0] = 1.0
+    _set_handles(lines, legs[:, 0] / length, legs[:, 2] / length)
 
 
-def _scale_handles(
-    segments: ComplexArray, lines: BoolArray, outward: FloatArray, inward: FloatArray
-) -> ComplexArray:
-    if not lines.any():
-        return segments
-    start, end = segments[lines, 0], segments[lines, 3]
-    whole = np.where(end == start, 1.0, np.abs(end - start))
-    head = np.abs(segments[lines, 1] - start) / whole * outward[lines]
-    tail = np.abs(end - segments[lines, 2]) / whole * inward[lines]
-    return _set_handles(segments, lines, head, tail)
+def _scale_handles(lines: ComplexArray, outward: FloatArray, inward: FloatArray) -> None:
+    """Multiply the lengths of the handles of lines."""
+    steps = np.abs(lines[:, [1, 3, 3]] - lines[:, [0, 2, 0]])
+    whole = steps[:, 2]
+    whole[whole == 0.0] = 1.0
+    _set_handles(lines, steps[:, 0] / whole * outward, steps[:, 1] / whole * inward)
 
 
-def _set_handles(
-    segments: ComplexArray, lines: BoolArray, head: FloatArray, tail: FloatArray
-) -> ComplexArray:
+def _set_handles(lines: ComplexArray, head: FloatArray, tail: FloatArray) -> None:
     """Give lines handles of these lengths, as shares of the line."""
-    divided = segments.copy()
-    start, end = segments[lines, 0], segments[lines, 3]
+    start, end = lines[:, 0], lines[:, 3]
     whole = end - start
-    divided[lines, 1] = start + np.minimum(np.maximum(head, LEAST_HANDLE), MOST_HANDLE) * whole
-    divided[lines, 2] = end - np.minimum(np.maximum(tail, LEAST_HANDLE), MOST_HANDLE) * whole
-    return divided
+    lines[:, 1] = start + np.minimum(np.maximum(head, LEAST_HANDLE), MOST_HANDLE) * whole
+    lines[:, 2] = end - np.minimum(np.maximum(tail, LEAST_HANDLE), MOST_HANDLE) * whole
 
 
 def slide_cuts(
