@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,6 +11,8 @@ from shapeblend_cli.interpolate.common_segments import common_segments
 from shapeblend_cli.model import WHOLE, ContourBlend, CubicPath, ShapeBlend, Waypoint, control_box
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from shapeblend_cli.model import ComplexArray
 
 WAYPOINT_TOLERANCE = 2e-3
@@ -90,10 +92,31 @@ def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
     return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0, finer))
 
 
-def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> list[float]:
+class _Moving:
+    """A shape that moves all the time; equal are those with the same contours and the same motion."""
+
+    def __init__(self, shape: ShapeBlend) -> None:
+        self.shape = shape
+
+    def __hash__(self) -> int:
+        return hash((id(self.shape.contours), id(self.shape.motion)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Moving):
+            return NotImplemented
+        one, two = self.shape, other.shape
+        return one.contours is two.contours and one.motion is two.motion
+
+
+def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> Sequence[float]:
     """Return the times at which a shape's motion is cut into straight steps, from one time to another."""
-    if shape.motion is None or begin >= until:
-        return []
+    return () if shape.motion is None or begin >= until else _found_cuts(_Moving(shape), begin, until, finer)
+
+
+@lru_cache(maxsize=8)
+def _found_cuts(moving: _Moving, begin: float, until: float, finer: float) -> Sequence[float]:
+    """Return `_cuts`, which the view of a blend asks for as animations do."""
+    shape = moving.shape
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]
     tolerance = SWEEP_TOLERANCE if shape.motion_name == "sweep" else WAYPOINT_TOLERANCE
     halvings = MOST_HALVINGS if finer == 1.0 else MOST_FINER_HALVINGS
