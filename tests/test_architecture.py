@@ -100,7 +100,7 @@ HANDED_DOWN = {
     # A `Motion`, which `model` declares.
     *(
         f"{motion}.{what}"
-        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid", "Posed")
+        for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid", "Posed", "Early")
         for what in ("name", "segments")
     ),
     "Proof.__call__",  # the lower bound of a `Correspondence`, searched for when it is asked for

@@ -10,6 +10,7 @@ from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
+from shapeblend_cli.blending.paced import with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
@@ -17,17 +18,7 @@ from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.early import (
-    LEAVES,
-    alone_in,
-    alone_in_the_way,
-    carried_by_lines,
-    changes_much,
-    early_shares,
-    is_of_one_colour,
-    leaving,
-    with_early_parts,
-)
+from shapeblend_cli.motion.early import carried_by_lines
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
@@ -48,9 +39,6 @@ if TYPE_CHECKING:
 
 ALL = 0.9
 """Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
-
-KEPT = 0.3
-"""Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
@@ -132,31 +120,28 @@ def _by_lines_or_outlines(
 
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 
-    def paced(shapes: Shapes, kept: float = 1.0) -> Shapes:
+    def paced(shapes: Shapes, kept: float = 1.0, *, by_size: bool = True) -> Shapes:
         if not _is_free(settings):
             return shapes
-        are_changed = changes_much(shapes, view.larger_side)
-        if is_sign and (kept < KEPT or are_changed):
-            early = early_shares(shapes, alone_in(shapes), are_changed=True)
-        else:
-            early = early_shares(shapes, alone_in_the_way(shapes, view.larger_side), are_changed)
-            if not is_sign and are_changed and is_of_one_colour(shapes):
-                early = dict.fromkeys(leaving(shapes), LEAVES) | early
-        shapes = with_early_parts(shapes, early)
-        return carried_by_lines(shapes) if is_sign else shapes
+        return with_parts_paced(shapes, view.larger_side, kept if is_sign else None, by_size=by_size)
 
     if lines is None:
         return paced(outlined(a, b, settings))
     rest = [side._replace(contours=left) for side, left in zip((a, b), lines.rest, strict=True)]
     is_all = not any(side.contours for side in rest)
-    solid = () if is_all else paced(outlined(rest[0], rest[1], lines.settings), lines.kept)
-    shapes = (*solid, *lines.shapes)
-    if _is_free(settings):
-        shapes = carried_by_lines(shapes)
+    solid = () if is_all else outlined(rest[0], rest[1], lines.settings)
+
+    def together(by_size: bool) -> Shapes:
+        shapes = (*paced(solid, lines.kept, by_size=by_size), *lines.shapes)
+        return carried_by_lines(shapes) if _is_free(settings) else shapes
+
     if lines.is_sure:
-        return shapes
-    outlines = paced(outlined(a, b, settings))
-    return outlines if grade_of_shapes(outlines, view) < grade_of_shapes(shapes, view) - MARGIN else shapes
+        return together(by_size=True)
+    outlines = outlined(a, b, settings)
+    # Parts that are gone early would hide from the judge what becomes of them.
+    plain = paced(outlines, by_size=False), together(by_size=False)
+    grades = [grade_of_shapes(shapes, view) for shapes in plain]
+    return paced(outlines) if grades[0] < grades[1] - MARGIN else together(by_size=True)
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

@@ -28,13 +28,24 @@ COMES = 0.2
 """Share of the time by which a hole comes after the start in a shape that is plain, as does any part of what changes
 little: late, it would be a speck in what is nearly drawn."""
 
-LEAVES = 0.3
-"""Share of the time by which a part of a silhouette without a partner is gone before the end: shrunk, it would be a
-crumb in another shape. What comes takes all of the time: in a shape that is still plain it is read at once."""
+LEAVES = 0.75
+"""Share of the time by which the smallest part without a partner is gone before the end: shrunk, it would be a crumb in
+another shape. One of half the view's side has half of it, and one that fills the view takes all of the time."""
+
+APPEARS = 0.58
+"""Share of the time by which the smallest part without a partner comes after the start to what changes much, when that
+is near its own form. It falls as that of parts that leave, to none at `LARGE`, and with the change."""
+
+LARGE = 0.5
+"""Minimum size of a part that takes all of the time to come, as a share of the view's side: it is read at once."""
 
 CHANGES = 0.1
 """Minimum mean distance that places of a shape move, beside its shift, for its parts to leave early, as a share of the
 view."""
+
+STIRS = 0.02
+"""Minimum mean distance, in the same measure, for parts to leave early or come late by their size: in what stays as it
+is they are read at any size."""
 
 WATCHED = (0.0, 0.25, 0.5, 0.75, 1.0)
 """Times at which parts without a partner are looked at, their own end among them."""
@@ -84,6 +95,9 @@ class Early(NamedTuple):
     motion: Motion | None
     small: Mapping[Numbers, float]  # the contours that are, each for this share of the time
     rides: Mapping[Numbers, Ride | Edge] = MappingProxyType({})
+    evenly: bool = (
+        False  # whether areas of small contours, not lengths, do: these are specks for a moment only
+    )
 
     @property
     def name(self) -> str:
@@ -102,6 +116,7 @@ class Early(NamedTuple):
         size = t if contour.grows else 1.0 - t
         share = self.small.get(numbers, 0.0)
         left = max(0.0, (size - share) / (1.0 - share))
+        left = left**0.5 if self.evenly else left
         if numbers in self.rides:
             ride, whole = self.rides[numbers], contour.end if contour.grows else contour.start
             return np.asarray(ride.at(t) + left * (whole.segments - ride.at(float(contour.grows))))
@@ -111,20 +126,14 @@ class Early(NamedTuple):
         return segments
 
 
-def changes_much(shapes: Sequence[ShapeBlend], side: float) -> bool:
-    """Return whether what has a partner becomes another shape, and is not filled, for example; in a view of a side."""
+def change_of(shapes: Sequence[ShapeBlend], side: float) -> float:
+    """Return how far places of what has a partner move on average, beside its shift, as a share of the view's side.
+
+    That is much, more than `CHANGES`, where it becomes another shape, and is not filled, for example.
+    """
     pairs = [contour.dot_points() for shape in shapes for contour in shape.contours if contour.is_matched]
     ways = [b - a for a, b in pairs]
-    return bool(ways) and float(np.mean([np.abs(way - way.mean()).mean() for way in ways])) > CHANGES * side
-
-
-def is_of_one_colour(shapes: Sequence[ShapeBlend]) -> bool:
-    """Return whether all shapes are fills of one colour in each drawing: what comes or goes in them stands out."""
-    styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
-    if any(style.stroke is not None or style.fill_gradient is not None for style in styles):
-        return False
-    fills = ({style.fill for style in styles[end::2]} for end in (0, 1))
-    return all(len(colours - {None}) == 1 for colours in fills)
+    return float(np.mean([np.abs(way - way.mean()).mean() for way in ways])) / side if ways else 0.0
 
 
 def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Numbers]:
@@ -210,11 +219,6 @@ def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
     return frozenset((contour.a, contour.b) for contour in found if contour.grows in ends)
 
 
-def leaving(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
-    """Return the parts that shrink to a point, but not where most of a drawing does."""
-    return frozenset((a, b) for a, b in alone_in(shapes) if b is None)
-
-
 def early_shares(
     shapes: Sequence[ShapeBlend], parts: Collection[Numbers], are_changed: bool
 ) -> dict[Numbers, float]:
@@ -239,13 +243,39 @@ def early_shares(
     return {(contour.a, contour.b): COMES if is_soon(contour) else EARLY for contour in alone}
 
 
-def with_early_parts(shapes: Sequence[ShapeBlend], parts: Mapping[Numbers, float]) -> tuple[ShapeBlend, ...]:
+def shares_by_size(
+    shapes: Sequence[ShapeBlend], parts: Collection[Numbers], side: float, change: float
+) -> dict[Numbers, float]:
+    """Return the shares of the time by which parts without a partner leave early or come late, the small ones most.
+
+    What lies in another part without a partner goes with it, as a pupil with an eye. In a view of a side, in which what
+    has a partner changes so much.
+    """
+    appears = APPEARS * min(change / CHANGES, 1.0)
+    every = (contour for shape in shapes for contour in shape.contours)
+    alone = {numbers: contour for contour in every if (numbers := (contour.a, contour.b)) in parts}
+
+    def share(contour: ContourBlend) -> float:
+        around = contour.parents[int(contour.grows)]
+        host = alone.get((None, around) if contour.grows else (around, None)) if around is not None else None
+        if host is not None:
+            return share(host)
+        box = (contour.polygon_b if contour.grows else contour.polygon_a).box
+        most, large = (appears, LARGE) if contour.grows else (LEAVES, 1.0)
+        return most * max(0.0, 1.0 - box.larger_side / (large * side))
+
+    return {numbers: share(contour) for numbers, contour in alone.items()}
+
+
+def with_early_parts(
+    shapes: Sequence[ShapeBlend], parts: Mapping[Numbers, float], *, evenly: bool = False
+) -> tuple[ShapeBlend, ...]:
     """Let parts without a partner leave before all others have become other shapes, and come after that.
 
-    The parts have the shares of the time by which they do.
+    The parts have the shares of the time by which they do. Their areas, or else their lengths, change evenly.
     """
     return tuple(
-        shape._replace(motion=Early(shape.motion, parts))
+        shape._replace(motion=Early(shape.motion, parts, evenly=evenly))
         if any((contour.a, contour.b) in parts for contour in shape.contours)
         else shape
         for shape in shapes

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.motion.early import Early
+from shapeblend_cli.motion.early import Early, alone_in_the_way
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import drawing
@@ -66,16 +66,20 @@ def test_parts_come_late_into_what_changes_much_and_holes_soon_if_none_go():
     assert late[0] < 0.01 < soon[0]
 
 
-def test_parts_that_nothing_comes_near_take_all_of_the_time():
-    rays, _ = sizes(drawing(disc(12, 5), RAYS), drawing(disc(12, 6)), 0.6)
+def test_parts_take_all_of_the_time_if_what_is_beside_them_hardly_changes():
+    rays, _ = sizes(drawing(disc(12, 5), RAYS), drawing(disc(12, 5.3)), 0.6)
     assert len(rays) == 4
     assert min(rays) > 0.5
 
 
 def test_parts_of_another_size_do_not_go_with_those_that_are_touched():
     sun = drawing(disc(12, 5), RAYS, '<path d="M1 1h3v3h-3z"/>')
-    rays, _ = sizes(sun, drawing(disc(15, 7)), 0.6)
-    assert sorted(size > 1.0 for size in rays) == [False] * 4 + [True]
+    (pair,), _ = match_all([sun, drawing(disc(15, 7))], Settings())
+    shapes = [shape._replace(motion=None) for shape in pair.shapes]
+    contours = [contour for shape in shapes for contour in shape.contours]
+    rays = {(contour.a, None) for contour in contours if contour.b is None and contour.scale_a < 2.0}
+    assert len(rays) == 4
+    assert alone_in_the_way(shapes, 24.0) == rays
 
 
 @pytest.mark.parametrize("arc", ["M12 20A8 8 0 1 0 4 12", "M4 12A8 8 0 1 1 12 20"])
@@ -93,10 +97,22 @@ def test_what_sticks_out_of_a_line_and_has_no_partner_goes_with_the_line(arc):
             assert min(abs(own[:, 0].mean() - place) for place in ends) < 1.4  # as where it is whole
 
 
-def test_what_leaves_a_silhouette_that_changes_much_is_gone_early_and_what_comes_takes_all_of_the_time():
-    mug, glass = "M3 4H15V20H3ZM5 8V10H7V8Z", "M2 3H22L13 14V20H11V14Z"
-    assert sizes(drawing(mug), drawing(glass), 0.5)[0][0] > 0.5
-    assert sizes(drawing(mug), drawing(glass), 0.72)[0][0] < 0.01
-    assert sizes(drawing(glass), drawing(mug), 0.28)[0][0] > 0.5
-    beside = [drawing(each, '<path fill="#c00" d="M17 16H20V19H17Z"/>') for each in (mug, glass)]
-    assert sizes(*beside, 0.72)[0][0] > 0.5, "in drawings of several colours it takes all of the time, too"
+@pytest.mark.parametrize("colour", ["#000", "#c00"])
+def test_small_parts_are_gone_early_and_come_late_where_much_changes_and_large_ones_take_their_time(colour):
+    mug, glass = "M3 4H15V20H3Z", "M2 3H22L13 14V20H11V14Z"
+    speck, door = (f'<path fill="{colour}" d="{path}"/>' for path in ("M1 21H3V23H1Z", "M17 5H22V21H17Z"))
+    for plain, other in ((mug, glass), (glass, mug)):
+        ends = drawing(plain, speck), drawing(other)
+        assert sizes(*ends, 0.2)[0][0] > 2.0
+        assert sizes(*ends, 0.35)[0][0] < 0.01
+        assert sizes(*ends[::-1], 0.45)[0][0] < 0.01
+        assert sizes(*ends[::-1], 0.65)[0][0] > 1.5, "it is a speck for a moment only"
+    assert sizes(drawing(mug, door), drawing(glass), 0.6)[0][0] > 5.0
+
+
+def test_what_lies_in_a_part_without_a_partner_goes_with_it():
+    mug, glass = "M3 4H15V20H3Z", "M2 3H22L13 14V20H11V14Z"
+    eye = '<path fill="#c00" d="M17 8H23V14H17Z"/><path fill="#fff" d="M19 10H21V12H19Z"/>'
+    for t in (0.2, 0.4):
+        outer, inner = sorted(sizes(drawing(mug, eye), drawing(glass), t)[0], reverse=True)
+        assert outer == pytest.approx(3.0 * inner)
