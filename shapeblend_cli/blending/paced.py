@@ -17,7 +17,10 @@ from shapeblend_cli.motion.early import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Collection, Mapping, Sequence
+
     from shapeblend_cli.model import ShapeBlend
+    from shapeblend_cli.motion.early import Numbers
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
@@ -44,13 +47,44 @@ def with_parts_paced(
         early = early_shares(shapes, alone_in(shapes), are_changed=True)
     else:
         early = early_shares(shapes, alone_in_the_way(shapes, side), are_changed)
-    evenly = by_size and kept is None and change > STIRS
-    if evenly:
+    is_by_size = by_size and change > STIRS and (kept is None or _is_coloured(shapes))
+    if is_by_size:
         small = shares_by_size(shapes, alone_in(shapes), side, change)
         # What others would run into comes when it is told, which may be soon.
         told = {
             part: share for part, share in early.items() if part[0] is None or share > small.get(part, 0.0)
         }
         early = small | told
-    shapes = with_early_parts(shapes, early, evenly=evenly)
+    has_strokes = any(_is_stroke_alone(shape, early) for shape in shapes)
+    shapes = with_early_parts(shapes, early, evenly=is_by_size and not has_strokes)
+    if is_by_size:
+        shapes = tuple(
+            _in_time(shape, early) if _is_stroke_alone(shape, early) else shape for shape in shapes
+        )
     return shapes if kept is None else carried_by_lines(shapes)
+
+
+def _is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
+    """Return whether there are several colours."""
+    paints = {
+        paint.colour for shape in shapes for style in (shape.style_a, shape.style_b) for paint in style.paints
+    }
+    return len(paints - {None}) > 1
+
+
+def _is_stroke_alone(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
+    """Return whether a shape with a stroke is one of some parts, and no other."""
+    numbers = {(contour.a, contour.b) for contour in shape.contours}
+    return (
+        shape.style_a.stroke is not None
+        and len(numbers) == 1
+        and numbers <= set(parts)
+        and shape.fade is None
+    )
+
+
+def _in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBlend:
+    """Return a shape that is one of some parts in its share of the time, its stroke too, which would be a dot."""
+    (contour,) = shape.contours
+    share = parts[contour.a, contour.b]
+    return shape._replace(motion=None, span=(share, 1.0) if contour.grows else (0.0, 1.0 - share))

@@ -62,6 +62,9 @@ ON_LINE = 0.55
 AFFORDABLE = 60
 """Maximum number of contours of a blend whose parts are looked at."""
 
+SAME = 0.5
+"""Minimum size of a part in another one that goes with it whatever it is, in sizes of that: an eye in its outline."""
+
 ALIKE = 3.0
 """Maximum ratio of the areas of parts that go together."""
 
@@ -203,20 +206,21 @@ def _area(contour: ContourBlend) -> float:
 
 def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
     """Return the parts without a partner, but not where most of a drawing has none: that would be missed."""
+    contours = [contour for shape in shapes for contour in shape.contours]
     matched, alone = [0.0, 0.0], [0.0, 0.0]
-    found: list[ContourBlend] = []
-    for contour in (contour for shape in shapes for contour in shape.contours):
-        for end, polygon in enumerate((contour.polygon_a, contour.polygon_b)):
-            area = signed_area(polygon.vertices)
-            if contour.is_matched:
-                matched[end] += area
-            elif contour.grows == bool(end):
-                alone[end] += area
-        if _is_alone(contour):
-            found.append(contour)
+    for shape in shapes:
+        for end, style in enumerate((shape.style_a, shape.style_b)):
+            if style.fill is not None:
+                matched[end] += abs(sum(_area_at(c, end) for c in shape.contours if c.is_matched))
+                alone[end] += abs(sum(_area_at(c, end) for c in shape.contours if not c.is_matched))
     # What is beside lines has no matched area.
-    ends = {bool(end) for end in (0, 1) if abs(alone[end]) < abs(matched[end]) or not matched[end]}
-    return frozenset((contour.a, contour.b) for contour in found if contour.grows in ends)
+    ends = {bool(end) for end in (0, 1) if alone[end] < matched[end] or not matched[end]}
+    return frozenset((c.a, c.b) for c in contours if _is_alone(c) and c.grows in ends)
+
+
+def _area_at(contour: ContourBlend, end: int) -> float:
+    """Return the signed area at the start, 0, or the end, 1; none where it is a point."""
+    return signed_area((contour.polygon_b if end else contour.polygon_a).vertices)
 
 
 def early_shares(
@@ -248,23 +252,29 @@ def shares_by_size(
 ) -> dict[Numbers, float]:
     """Return the shares of the time by which parts without a partner leave early or come late, the small ones most.
 
-    What lies in another part without a partner goes with it, as a pupil with an eye. In a view of a side, in which what
-    has a partner changes so much.
+    What lies in another part without a partner and is about as large, or is a hole in it, goes with it. In a view of a
+    side, in which what has a partner changes so much.
     """
     appears = APPEARS * min(change / CHANGES, 1.0)
-    every = (contour for shape in shapes for contour in shape.contours)
-    alone = {numbers: contour for contour in every if (numbers := (contour.a, contour.b)) in parts}
+    alone: dict[Numbers, tuple[int, ContourBlend]] = {}
+    for k, shape in enumerate(shapes):
+        alone |= {(c.a, c.b): (k, c) for c in shape.contours if (c.a, c.b) in parts}
 
-    def share(contour: ContourBlend) -> float:
+    def share(number: int, contour: ContourBlend) -> float:
+        size = _size(contour)
         around = contour.parents[int(contour.grows)]
         host = alone.get((None, around) if contour.grows else (around, None)) if around is not None else None
-        if host is not None:
-            return share(host)
-        box = (contour.polygon_b if contour.grows else contour.polygon_a).box
+        if host is not None and (host[0] == number or size > SAME * _size(host[1])):
+            return share(*host)
         most, large = (appears, LARGE) if contour.grows else (LEAVES, 1.0)
-        return most * max(0.0, 1.0 - box.larger_side / (large * side))
+        return most * max(0.0, 1.0 - size / (large * side))
 
-    return {numbers: share(contour) for numbers, contour in alone.items()}
+    return {numbers: share(*found) for numbers, found in alone.items()}
+
+
+def _size(contour: ContourBlend) -> float:
+    """Return the larger side of its box where it is not a point."""
+    return (contour.polygon_b if contour.grows else contour.polygon_a).box.larger_side
 
 
 def with_early_parts(

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.early import Early, alone_in_the_way
 from shapeblend_cli.options.settings import Settings
@@ -110,9 +111,19 @@ def test_small_parts_are_gone_early_and_come_late_where_much_changes_and_large_o
     assert sizes(drawing(mug, door), drawing(glass), 0.6)[0][0] > 5.0
 
 
-def test_what_lies_in_a_part_without_a_partner_goes_with_it():
+@pytest.mark.parametrize(("size", "goes_along"), [(4, True), (1, False)])
+def test_what_nearly_fills_a_part_without_a_partner_goes_with_it_and_what_is_smaller_before(size, goes_along):
     mug, glass = "M3 4H15V20H3Z", "M2 3H22L13 14V20H11V14Z"
-    eye = '<path fill="#c00" d="M17 8H23V14H17Z"/><path fill="#fff" d="M19 10H21V12H19Z"/>'
-    for t in (0.2, 0.4):
-        outer, inner = sorted(sizes(drawing(mug, eye), drawing(glass), t)[0], reverse=True)
-        assert outer == pytest.approx(3.0 * inner)
+    eye = f'<path fill="#c00" d="M17 8H23V14H17Z"/><path fill="#fff" d="M18 9h{size}v{size}h-{size}z"/>'
+    outer, inner = sizes(drawing(mug, eye), drawing(glass), 0.3)[0]
+    assert outer > inner
+    assert (inner > 0.9 * outer * size / 6) == goes_along
+
+
+def test_a_stroke_without_a_partner_leaves_no_dot():
+    mug, glass = "M3 4H15V20H3Z", "M2 3H22L13 14V20H11V14Z"
+    ring = '<path fill="none" stroke="#c00" stroke-width="2" d="M18 8H22V12H18Z"/>'
+    for k, ends in enumerate(((drawing(mug, ring), drawing(glass)), (drawing(glass), drawing(mug, ring)))):
+        (pair,), _ = match_all([*ends], Settings())
+        widths = [s.style.stroke_width for s in shapes_at(pair, 0.6 - 0.2 * k) if s.style.stroke]
+        assert widths == []
