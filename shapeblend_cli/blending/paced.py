@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.motion.early import (
     CHANGES,
+    DETAIL,
     STIRS,
     alone_in,
     alone_in_the_way,
@@ -49,7 +50,7 @@ def with_parts_paced(
         early = early_shares(shapes, alone_in_the_way(shapes, side), are_changed)
     is_by_size = by_size and change > STIRS and (kept is None or _is_coloured(shapes))
     if is_by_size:
-        small = shares_by_size(shapes, alone_in(shapes), side, change)
+        small = shares_by_size(shapes, alone_in(shapes, DETAIL * side), side, change)
         # What others would run into comes when it is told, which may be soon.
         told = {
             part: share for part, share in early.items() if part[0] is None or share > small.get(part, 0.0)

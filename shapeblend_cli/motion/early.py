@@ -62,6 +62,12 @@ ON_LINE = 0.55
 AFFORDABLE = 60
 """Maximum number of contours of a blend whose parts are looked at."""
 
+DETAIL = 0.2
+"""Maximum size of a part that is a detail of a drawing, as a share of the view's side."""
+
+DETAILS = 0.2
+"""Maximum area of all details, as a share of that of a drawing: those that are most of it are no details."""
+
 SAME = 0.5
 """Minimum size of a part in another one that goes with it whatever it is, in sizes of that: an eye in its outline."""
 
@@ -204,18 +210,30 @@ def _area(contour: ContourBlend) -> float:
     return signed_area((contour.polygon_b if contour.grows else contour.polygon_a).vertices)
 
 
-def alone_in(shapes: Sequence[ShapeBlend]) -> frozenset[Numbers]:
-    """Return the parts without a partner, but not where most of a drawing has none: that would be missed."""
-    contours = [contour for shape in shapes for contour in shape.contours]
-    matched, alone = [0.0, 0.0], [0.0, 0.0]
+def alone_in(shapes: Sequence[ShapeBlend], detail: float = 0.0) -> frozenset[Numbers]:
+    """Return the parts without a partner, but not where most of a drawing has none: that would be missed.
+
+    There, only the parts up to a size, `detail`, if these are a small share of the drawing.
+    """
+    matched, alone, small = [0.0, 0.0], [0.0, 0.0], [0.0, 0.0]
     for shape in shapes:
         for end, style in enumerate((shape.style_a, shape.style_b)):
             if style.fill is not None:
+                rest = [c for c in shape.contours if not c.is_matched]
                 matched[end] += abs(sum(_area_at(c, end) for c in shape.contours if c.is_matched))
-                alone[end] += abs(sum(_area_at(c, end) for c in shape.contours if not c.is_matched))
+                alone[end] += abs(sum(_area_at(c, end) for c in rest))
+                small[end] += abs(sum(_area_at(c, end) for c in rest if _size(c) <= detail))
     # What is beside lines has no matched area.
-    ends = {bool(end) for end in (0, 1) if alone[end] < matched[end] or not matched[end]}
-    return frozenset((c.a, c.b) for c in contours if _is_alone(c) and c.grows in ends)
+    most = [
+        np.inf
+        if alone[end] < matched[end] or not matched[end]
+        else detail
+        if small[end] < DETAILS * (matched[end] + alone[end])
+        else 0.0
+        for end in (0, 1)
+    ]
+    contours = (contour for shape in shapes for contour in shape.contours)
+    return frozenset((c.a, c.b) for c in contours if _is_alone(c) and _size(c) <= most[int(c.grows)])
 
 
 def _area_at(contour: ContourBlend, end: int) -> float:
