@@ -15,12 +15,14 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
+from shapeblend_cli.blending.stricter import with_steps_kept, with_stricter_pairs
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import carried_by_lines
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
+from shapeblend_cli.pairing.costs import Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
@@ -115,8 +117,16 @@ def _by_lines_or_outlines(
             inlaid = with_inlays(_moved(paired, *match_pairs(paired), view), plates, view)
             if inlaid is not None:
                 return tuple(inlaid)
-        paired = pair_drawings(*with_outlines(a, b, settings, view), settings, 0.0, progress)
-        return _with_bodies(paired, _moved(paired, *match_pairs(paired), view), view)
+        works: dict[tuple[int, int], float] = {}
+        sides = with_outlines(a, b, settings, view)
+        paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
+        shapes = move(paired)
+        if _is_free(settings):
+            paired, shapes = with_stricter_pairs(paired, shapes, move, view, works)
+        return _with_bodies(paired, shapes, view)
+
+    def move(paired: PairedDrawings) -> Shapes:
+        return _moved(paired, *match_pairs(paired), view)
 
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 

@@ -12,6 +12,7 @@ from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.paint.styles import painted_as
 from shapeblend_cli.pairing.changes import changes, unchanged
+from shapeblend_cli.pairing.costs import USUAL, Rates
 from shapeblend_cli.pairing.pair import pair_rotated_contours, rotated_back
 from shapeblend_cli.pairing.reasons import reasons_for
 from shapeblend_cli.pairing.required import constrain, point_pins, required_pairs
@@ -42,6 +43,10 @@ class Progress(NamedTuple):
     steps: Kept
     watch: Callable[[str, float], None] = lambda stage, share: None
     pair: tuple[int, int] = (0, 1)  # its number, and how many there are
+
+    def keeping(self, most: int) -> Progress:
+        """Return the same with steps of its own, at most so many, unless steps are kept already."""
+        return self if self.steps.keeps else self._replace(steps=Kept(most))
 
     def tell(self, stage: str, share: float) -> None:
         """Say how much of a stage is done, from 0 to 1."""
@@ -140,6 +145,7 @@ def pair_drawings(
     progress: Progress,
     changed: Sequence[Change] = (),
     wanted: Sequence[Numbers] = (),
+    rates: Rates = USUAL,
 ) -> PairedDrawings:
     """Pair the contours of two drawings as if B were rotated back by an angle, except where a change is known.
 
@@ -158,7 +164,7 @@ def pair_drawings(
             required += same_pairs(*rest, required)
         boxes = Box.union([c.box for c in a.contours]), Box.union([c.box for c in b.contours])
         frames = boxes if changed else None
-        pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames)
+        pairs = pair_rotated_contours(*rest, settings, required, rotation, frames=frames, rates=rates)
     riders: tuple[dict[int, int], dict[int, int]] = {}, {}
     # With --stagger, strokes have times of their own.
     if settings.motion in ("auto", "linear") and not rotation and not settings.has_spans:

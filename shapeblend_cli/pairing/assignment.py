@@ -10,8 +10,10 @@ from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.twins import anatomy_of
 from shapeblend_cli.pairing.costs import (
     CROWD,
+    USUAL,
     Boxes,
     Described,
+    Rates,
     Works,
     assign,
     laid,
@@ -87,7 +89,7 @@ NEVER = 1e6
 class _Side:
     """One drawing's contours and the decisions on them, by places in the sequence."""
 
-    def __init__(self, contours: Sequence[PlacedContour], frame: Box | None) -> None:
+    def __init__(self, contours: Sequence[PlacedContour], frame: Box | None, alone: float) -> None:
         self.described = Described.of(contours)
         self.whole = self.described.boxes.union()
         if frame is not None:
@@ -100,7 +102,7 @@ class _Side:
             for c, parent in zip(contours, self.structure.parent, strict=True)
         )
         self.kinds = np.array([codes.setdefault(kind, len(codes)) for kind in kinds])
-        self.alone = self.described.alone(self.whole)
+        self.alone = self.described.alone(self.whole, alone)
         self.twins = self.mirror.twins(contours) if self.mirror else []
         away = [self._away(k) for k in range(len(contours))]
         self.focus = self._focus(away)
@@ -245,15 +247,16 @@ class Pairing:
         b: Sequence[PlacedContour],
         fixed: dict[int, int],
         frames: tuple[Box, Box] | None = None,
+        rates: Rates = USUAL,
     ) -> None:
         frame_a, frame_b = frames or (None, None)
-        self.a, self.b = _Side(a, frame_a), _Side(b, frame_b)
+        self.a, self.b = _Side(a, frame_a, rates.alone), _Side(b, frame_b, rates.alone)
         self.partner: dict[int, int] = {}
         self._is_rest = frames is not None
         self._kin_gain = 0.0
         self._is_crowd = min(len(a), len(b)) > CROWD  # where kin of kin are not looked for
-        self._works = Works(self.a.described, self.b.described)
-        self._paint = paint_costs(self.a.described, self.b.described)
+        self._works = Works(self.a.described, self.b.described, rates.works)
+        self._paint = paint_costs(self.a.described, self.b.described, rates.paint)
         roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
         self._fit = roles[0][:, None] == roles[1]
         outer = [side != HOLE for side in roles]

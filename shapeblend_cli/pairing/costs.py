@@ -72,6 +72,18 @@ MOST_WORKS = 600
 """Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
 
+class Rates(NamedTuple):
+    """The two costs that decide how unlike partners may be, and costs of work that other pairings have found."""
+
+    paint: float = PAINT_WEIGHT
+    alone: float = ALONE_COST
+    works: dict[tuple[int, int], float] | None = None  # by places in the same two sequences of contours
+
+
+USUAL = Rates()
+"""Costs of all pairings but those that are tried beside another one."""
+
+
 class Boxes(NamedTuple):
     """Boxes by their centres and half their widths and heights, both as x + iy."""
 
@@ -116,10 +128,10 @@ class Described(NamedTuple):
         some = self.contours[chosen] if isinstance(chosen, slice) else [self.contours[k] for k in chosen]
         return Described(some, self.boxes.take(chosen), self.areas[chosen], self.paint[chosen])
 
-    def alone(self, whole: Boxes) -> FloatArray:
-        """Return the costs of having no partner, given the box of the drawing."""
+    def alone(self, whole: Boxes, least: float) -> FloatArray:
+        """Return the costs of having no partner, given the box of the drawing and the cost for a speck."""
         share = np.abs(self.boxes.halves) / np.abs(whole.halves)
-        return ALONE_COST + ALONE_SIZE_COST * share
+        return least + ALONE_SIZE_COST * share
 
 
 def laid(boxes: Boxes, frames: Boxes, onto: Boxes) -> Boxes:
@@ -172,8 +184,8 @@ def size_costs(a: Described, b: Described, laid_a: Boxes) -> FloatArray:
     return SIZE_WEIGHT * (np.minimum(growth, MOST_GROWTH) + spread) / 2
 
 
-def paint_costs(a: Described, b: Described) -> FloatArray:
-    """Return the costs of changing the paint, (a, b)."""
+def paint_costs(a: Described, b: Described, weight: float) -> FloatArray:
+    """Return the costs of changing the paint, (a, b), where black into white costs `weight`."""
     (paints_a, in_a), (paints_b, in_b) = (
         np.unique(side.paint, axis=0, return_inverse=True) for side in (a, b)
     )
@@ -182,19 +194,19 @@ def paint_costs(a: Described, b: Described) -> FloatArray:
     apart = np.abs(p - q).mean(axis=-1)
     apart = (1.0 + COLOUR_HALF) * apart / (apart + COLOUR_HALF)
     difference = np.where(none_p | none_q, none_p != none_q, apart)
-    each: FloatArray = (PAINT_WEIGHT * difference.sum(axis=-1))[np.ix_(in_a.ravel(), in_b.ravel())]
+    each: FloatArray = (weight * difference.sum(axis=-1))[np.ix_(in_a.ravel(), in_b.ravel())]
     return each
 
 
 class Works:
     """Costs of the work between contours, each solved once, when it is wanted."""
 
-    def __init__(self, a: Described, b: Described) -> None:
+    def __init__(self, a: Described, b: Described, known: dict[tuple[int, int], float] | None = None) -> None:
         self._a, self._b = a, b
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
         is_crowd = self._costs.size > MANY_PAIRS
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
-        self._known: dict[tuple[int, int], float] = {}
+        self._known = {} if known is None else known
 
     def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
         """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many."""

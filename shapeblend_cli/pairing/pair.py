@@ -8,6 +8,7 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, LINE, PlacedContour
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.pairing.assignment import Pairing
+from shapeblend_cli.pairing.costs import USUAL, Rates
 from shapeblend_cli.pairing.opening import open_rings
 from shapeblend_cli.pairing.split import pairs_by_rows, split_exteriors
 
@@ -28,6 +29,7 @@ def pair_contours(
     required: Sequence[Numbers] = (),
     *,
     frames: tuple[Box, Box] | None = None,
+    rates: Rates = USUAL,
 ) -> list[ContourPair]:
     """Pair the contours of two drawings, from the outermost in, each time at the least total cost.
 
@@ -54,7 +56,7 @@ def pair_contours(
     if pairs:
         pairs = _with_holes(a, b, pairs, fixed)
     else:
-        pairing = Pairing(a, b, fixed, frames)
+        pairing = Pairing(a, b, fixed, frames, rates)
         pairing.from_outermost_in()
         pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
         if settings.unmatched != "point":
@@ -70,10 +72,11 @@ def pair_rotated_contours(
     rotation: float,
     *,
     frames: tuple[Box, Box] | None = None,
+    rates: Rates = USUAL,
 ) -> list[ContourPair]:
     """Pair contours as `pair_contours` does, with B rotated back by an angle and its largest contour laid over A's."""
     if not rotation:
-        return pair_contours(a, b, settings, required, frames=frames)
+        return pair_contours(a, b, settings, required, frames=frames, rates=rates)
     in_a, in_b = _middles(a, b)
     there = Similarity.rotation(rotation, about=in_a, onto=in_b)
     upright = rotated_back(a, b, rotation)

@@ -32,6 +32,11 @@ class Kept:
         """What was made on the way from drawings to a blend, for when they are blended again a little otherwise."""
         return Kept(self._steps)
 
+    @property
+    def keeps(self) -> bool:
+        """Whether anything is kept at all."""
+        return self._most > 0
+
     def find(self, key: Hashable) -> Any:
         """Return a value; None if it is not kept."""
         if key in self._values:

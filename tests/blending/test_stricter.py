@@ -1,0 +1,40 @@
+"""Parts that would become unlike ones have no partner where that looks better."""
+
+from shapeblend_cli.blending import stricter
+from tests.support.drawings import drawing
+from tests.support.motions import pair_of
+
+HAND, FIST = "M12 24h40v36h-40z", "M12 20h40v40h-40z"
+WAVES = '<path fill="#5dadec" d="M4 4h4v16h-4z"/><path fill="#5dadec" d="M12 4h4v12h-4z"/>'
+FINGERS = '<path fill="#ef9645" d="M14 12h14v12h-14z"/><path fill="#ef9645" d="M32 12h14v12h-14z"/>'
+A = drawing(f'<path fill="#ffdc5d" d="{HAND}"/>{WAVES}', viewbox="0 0 64 64")
+B = drawing(f'<path fill="#ffdc5d" d="{FIST}"/>{FINGERS}', viewbox="0 0 64 64")
+
+
+def partners(pair):
+    numbers = ((contour.a, contour.b) for shape in pair.shapes for contour in shape.contours)
+    return {(i, j) for i, j in numbers if i is not None and j is not None}
+
+
+def test_parts_do_not_become_unlike_ones_if_that_looks_better():
+    assert partners(pair_of(A, B)) == {(0, 0)}
+    assert partners(pair_of(B, A)) == {(0, 0)}
+
+
+def test_a_small_gain_changes_nothing(monkeypatch):
+    monkeypatch.setattr(stricter, "PREFERRED", 0.5)
+    assert len(partners(pair_of(A, B))) > 1
+
+
+def test_what_users_ask_for_is_left_as_it_is():
+    assert len(partners(pair_of(A, B, motion="linear"))) > 1
+    assert (2, 1) in partners(pair_of(A, B, match=[("2", "1")]))
+
+
+def test_drawings_of_one_paint_are_left_as_they_are(monkeypatch):
+    def fail(*arguments):
+        raise AssertionError
+
+    monkeypatch.setattr(stricter, "grade_of_shapes", fail)
+    bars = drawing(f'<path d="{HAND}"/><path d="M4 4h4v16h-4z"/>'), drawing(f'<path d="{FIST}"/>')
+    assert (0, 0) in partners(pair_of(*bars))
