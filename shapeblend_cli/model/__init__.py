@@ -174,6 +174,13 @@ class LinePart(NamedTuple):
     because: str = ""  # why it was cut, a phrase
 
 
+class Root(NamedTuple):
+    """The place at which a part without a partner is attached, where it is whole."""
+
+    place: complex
+    body: int  # number of the part with which it goes: its own, or that of the one on which it lies
+
+
 class ContourBlend(NamedTuple):
     """A contour of A, its partner in B, and the paths between which it moves.
 
@@ -205,6 +212,7 @@ class ContourBlend(NamedTuple):
         None,
     )  # numbers of the contours around each; None outside of all
     lines: tuple[LinePart | None, LinePart | None] = (None, None)  # the pen lines of which these are parts
+    root: Root | None = None
 
     @property
     def grows(self) -> bool:

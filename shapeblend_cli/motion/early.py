@@ -121,18 +121,33 @@ class Early(NamedTuple):
 
     def _own(self, contour: ContourBlend, segments: ComplexArray, t: float) -> ComplexArray:
         """Return the control points of a contour at time t, which would otherwise be these."""
-        numbers = contour.a, contour.b
+        numbers, whole = (contour.a, contour.b), contour.end if contour.grows else contour.start
         size = t if contour.grows else 1.0 - t
+        left = self._left(numbers, size)
+        if numbers in self.rides:
+            ride = self.rides[numbers]
+            return np.asarray(ride.at(t) + left * (whole.segments - ride.at(float(contour.grows))))
+        if self.small.get(numbers, 0.0):
+            middle = segments[:, 0].mean()
+            here = middle + self._slide(contour, whole, segments, size) if contour.root else middle
+            return np.asarray(here + left / max(size, 1e-9) * (segments - middle))
+        return segments
+
+    def _left(self, numbers: Numbers, size: float) -> float:
+        """Return the size of a part that has another one without its share of the time, which it has if it is none."""
         share = self.small.get(numbers, 0.0)
         left = max(0.0, (size - share) / (1.0 - share))
-        left = left**0.5 if self.evenly else left
-        if numbers in self.rides:
-            ride, whole = self.rides[numbers], contour.end if contour.grows else contour.start
-            return np.asarray(ride.at(t) + left * (whole.segments - ride.at(float(contour.grows))))
-        if share:
-            middle = segments[:, 0].mean()
-            return np.asarray(middle + left / max(size, 1e-9) * (segments - middle))
-        return segments
+        return left**0.5 if share and self.evenly else left
+
+    def _slide(self, contour: ContourBlend, whole: CubicPath, segments: ComplexArray, size: float) -> complex:
+        """Return how far the middle of a contour is from where it would be: its body stays where it is attached."""
+        assert contour.root is not None, "it is attached"
+        middles = [each[:, 0].mean() for each in (segments, whole.segments)]
+        ways = [each[:, 0] - middle for each, middle in zip((segments, whole.segments), middles, strict=True)]
+        turned = (ways[1].conj() @ ways[0]) / max(float((np.abs(ways[1]) ** 2).sum()), 1e-12)
+        from_root = turned * (middles[1] - contour.root.place)
+        body = (None, contour.root.body) if contour.grows else (contour.root.body, None)
+        return complex((self._left(body, size) / max(size, 1e-9) - 1.0) * from_root)
 
 
 def change_of(shapes: Sequence[ShapeBlend], side: float) -> float:

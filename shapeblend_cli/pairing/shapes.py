@@ -11,7 +11,7 @@ from shapeblend_cli.anatomy.structure import along
 from shapeblend_cli.anatomy.twins import Mirror, anatomy_of
 from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
-from shapeblend_cli.model import Box, ContourBlend, Fade, ShapeBlend, Style
+from shapeblend_cli.model import Box, ContourBlend, Fade, Root, ShapeBlend, Style
 from shapeblend_cli.pairing.changes import Change, unchanged
 from shapeblend_cli.pairing.growth import (
     WATCHED,
@@ -38,6 +38,9 @@ TOUCHING = 0.02
 
 GAP = 0.06
 """Maximum gap between contours of one paint that belong together, as a share of the drawing's diagonal."""
+
+BESIDE = 0.2
+"""Maximum gap between a contour and one of another paint that it stands beside, as a share of its size."""
 
 EQUALLY_NEAR = 0.1
 """Maximum difference of gaps that are equal, in distances of contours that touch."""
@@ -93,12 +96,20 @@ class _Group(NamedTuple):
         return None if self.covered_in == 0 else self.a, None if self.covered_in == 1 else self.b
 
 
+class _Spot(NamedTuple):
+    """The point from which a contour without a partner grows, and where it is attached, if it is."""
+
+    point: complex
+    root: Root | None = None
+
+
 class _Unmatched(NamedTuple):
     """A contour without a partner, the group that it is painted with, and the point from which it grows."""
 
     contour: PlacedContour
     group: _Group
     point: complex
+    root: Root | None = None
 
 
 def shape_blends(
@@ -137,9 +148,9 @@ def shape_blends(
         rides = {stroke.contour.number for stroke in riding}
         contours = [contour for contour in contours if contour.number not in rides]
         growing = _unmatched(_as_their_exteriors(contours, matches, here), matches, here)
-        for loose, group, point in _mirrored(growing, (a, b), matches, here):
+        for loose, group, point, root in _mirrored(growing, (a, b), matches, here):
             nothing = loose.style._replace(stroke_width=0.0)
-            blend = grow_from_point(loose, point, of_b=bool(here))
+            blend = grow_from_point(loose, point, of_b=bool(here))._replace(root=root)
             add(group, blend, _from_a(loose.style, nothing, here))
     shapes = tuple(
         ShapeBlend(tuple(blends), *styles, motion, fade=COVERED[group.covered_in], sources=group.sources)
@@ -207,9 +218,9 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
     for contour in loose:
         near = [k for k, match in enumerate(outer) if match.pair[here].shape == contour.shape]
         hole = _hole_around(contour, matches, here)
-        point = spots[contour.number]
+        point, root = spots[contour.number]
         if hole is not None:
-            match, point = hole, growth_point_inside(contour.polygon.vertices, hole.points(here))
+            match, root, point = hole, None, growth_point_inside(contour.polygon.vertices, hole.points(here))
         elif near:
             k, _ = nearest_paired(contour.polygon.vertices, [points[k] for k in near], bounds[near])
             match = outer[near[k]]
@@ -217,7 +228,7 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
             group = match.group
         else:
             group = _Group(*_from_a(contour.shape, None, here), bool(contour.style.stroke))
-        growing[contour.number] = _Unmatched(contour, group, point)
+        growing[contour.number] = _Unmatched(contour, group, point, root)
     holes = []
     for contour in contours:
         if contour.number in paired or contour.role != HOLE or contour.exterior is None:
@@ -324,7 +335,7 @@ def _mirror_of_paired(side: Sequence[PlacedContour], paired: set[int]) -> Mirror
 
 def _growth_points(
     loose: Sequence[PlacedContour], contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
-) -> dict[int, complex]:
+) -> dict[int, _Spot]:
     """Return the points from which exteriors and lines without a partner grow, by their numbers.
 
     A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
@@ -336,7 +347,7 @@ def _growth_points(
     hosts.sort(key=lambda host: areas[host.number])
     touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
-    spots: dict[int, complex] = {}
+    spots: dict[int, _Spot] = {}
     beside: dict[int, PlacedContour] = {}
     within: dict[int, int] = {}
     seen: set[int] = set()
@@ -357,7 +368,7 @@ def _growth_points(
                 areas[host.number] > LEAST_HOST * areas[contour.number]
                 and winding_numbers(np.array([middle]), host.polygon.vertices).any()
             ):
-                spots[contour.number] = carried(middle, match.points(here), inside=True)
+                spots[contour.number] = _Spot(carried(middle, match.points(here), inside=True))
                 break
         else:
             beside[contour.number] = contour
@@ -370,7 +381,7 @@ def _growth_points(
 
 def _points_of_contact(
     beside: Sequence[PlacedContour], matches: Sequence[Match], here: int, touching: float
-) -> dict[int, complex]:
+) -> dict[int, _Spot]:
     """Return the points from which contours without a partner grow that lie in no other, by their numbers.
 
     A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
@@ -381,13 +392,14 @@ def _points_of_contact(
     outer = [match for match in matches if match.pair[here].role != HOLE]
     sides = [match.pair[here] for match in outer]
     samples = [along(contour.polygon, CONTACTS) for contour in beside]
-    spots: dict[int, complex] = {}
+    spots: dict[int, _Spot] = {}
     for contour, points, near in zip(beside, samples, _near(beside, sides, touching), strict=True):
         found = {k: _contacts(points, sides[k], touching) for k in near}
         most = max(found, key=lambda k: len(found[k]), default=None)
         if most is not None and len(found[most]):
             middle = complex(np.concatenate(list(found.values())).mean())
-            spots[contour.number] = carried(middle, outer[most].points(here), inside=False)
+            point = carried(middle, outer[most].points(here), inside=False)
+            spots[contour.number] = _Spot(point, Root(middle, contour.number))
     neighbours = _near(beside, beside, touching)
     leaders = [k for k, contour in enumerate(beside) if contour.number in spots]
     while leaders:
@@ -400,29 +412,36 @@ def _points_of_contact(
     gap = GAP / TOUCHING * touching
     for k, near in zip(rest, _near([beside[k] for k in rest], sides, gap), strict=True):
         contour = beside[k]
-        hosts = [outer[m].points(here) for m in near if sides[m].style.fill == contour.style.fill]
-        place = _place_across(samples[k], hosts, gap, touching) if contour.polygon.closed else None
-        spots[contour.number] = _middle(contour) if place is None else place
+        alike = [m for m in near if sides[m].style.fill == contour.style.fill]
+        widest = gap if alike else min(gap, BESIDE * contour.box.larger_side)
+        others = [m for m in near if not contour.box.holds(np.array([sides[m].centre]))[0]]
+        hosts = [outer[m].points(here) for m in alike or others]
+        place = (
+            _place_across(contour, samples[k], hosts, widest, touching) if contour.polygon.closed else None
+        )
+        spots[contour.number] = _Spot(_middle(contour)) if place is None else place
     return spots
 
 
 def _place_across(
-    points: ComplexArray, hosts: Sequence[MatchedPoints], gap: float, touching: float
-) -> complex | None:
-    """Return the place of the nearest host that faces points across a gap, carried along; None if all are far.
+    contour: PlacedContour,
+    points: ComplexArray,
+    hosts: Sequence[MatchedPoints],
+    gap: float,
+    touching: float,
+) -> _Spot | None:
+    """Return the place of the nearest host that faces points of a contour across a gap, carried along.
 
-    Of hosts that are equally near it is the mean.
+    Of hosts that are equally near it is the mean. The root is the nearest of the points. None if all hosts are far.
     """
-    apart = [np.abs(host.here[:, None] - points).min(axis=1) for host in hosts]
+    apart = [np.abs(host.here[:, None] - points) for host in hosts]
     nearest = min((float(each.min()) for each in apart), default=gap)
     if nearest >= gap:
         return None
-    places = [
-        host.there[each <= nearest + touching].mean()
-        for host, each in zip(hosts, apart, strict=True)
-        if each.min() <= nearest + EQUALLY_NEAR * touching
-    ]
-    return complex(np.mean(places))
+    near = [k for k, each in enumerate(apart) if each.min() <= nearest + EQUALLY_NEAR * touching]
+    places = [hosts[k].there[apart[k].min(axis=1) <= nearest + touching].mean() for k in near]
+    own = [points[apart[k].min(axis=0) <= nearest + touching].mean() for k in near]
+    return _Spot(complex(np.mean(places)), Root(complex(np.mean(own)), contour.number))
 
 
 def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:

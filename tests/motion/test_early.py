@@ -136,3 +136,19 @@ def test_details_leave_early_even_if_most_of_a_drawing_has_no_partner_and_nothin
     heads, small = sorted(sizes(*ends, 0.4)[0])[1:], min(sizes(*ends, 0.4)[0])
     assert small < 0.01
     assert min(heads) == pytest.approx(0.6 * 25.0, rel=0.2)
+
+
+@pytest.mark.parametrize(("foot", "colour"), [(10, "#000"), (10, "#c00"), (9, "#c00")])
+def test_what_stands_on_a_shape_stays_on_it_while_it_sinks_in_or_comes_out(foot, colour):
+    hull, raft = '<path d="M2 10H22L18 20H6Z"/>', '<path d="M2 18H22V23H2Z"/>'
+    sail = f'<path fill="{colour}" d="M9 1H16V{foot}H9Z"/>'
+    for ends, times in (((hull + sail, raft), (0.2, 0.4)), ((raft, hull + sail), (0.8, 0.6))):
+        (pair,), _ = match_all([drawing(end) for end in ends], Settings())
+        for t in times:
+            boxes = {True: [], False: []}
+            for shape in pair.shapes:
+                for contour, path in zip(shape.contours, paths_at(shape, t), strict=True):
+                    boxes[contour.is_matched].append(path.segments.imag)
+            (sails,), (boat,) = boxes[False], boxes[True]
+            assert np.ptp(sails) > 2.0
+            assert abs(boat.min() - sails.max()) < 10.2 - foot

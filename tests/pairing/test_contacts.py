@@ -57,10 +57,16 @@ def test_a_shape_across_a_small_gap_shrinks_towards_what_it_belongs_to():
     pair = pair_of(drawing(BODY, plume), drawing(NARROW), motion="linear")
     first, late = (outlines_at(pair, (0, 1), t) for t in (0.0, 0.99))
     assert gap(*late) < gap(*first) / 3
-    of_another_paint = drawing(f'<path d="{BODY}" fill="red"/><path d="{plume}"/>')
-    pair = pair_of(of_another_paint, drawing(f'<path d="{NARROW}" fill="red"/>'), motion="linear")
-    (late,) = outlines_at(pair, (1,), 0.99)
-    assert late.mean() == pytest.approx(35 + 18.5j, abs=0.1)
+
+
+@pytest.mark.parametrize(("top", "goes_along"), [(10, True), (17, False)])
+def test_a_shape_of_another_paint_goes_with_what_it_stands_beside_if_the_gap_is_small_for_it(top, goes_along):
+    a, b = (f'<path d="{body}" fill="red"/>' for body in (BODY, NARROW))
+    pair = pair_of(drawing(a, f"M30 {top}H40V27H30Z"), drawing(b), motion="linear")
+    body, late = outlines_at(pair, (0, 1), 0.99)
+    assert (gap(body, late) < 1.0) == goes_along
+    if not goes_along:
+        assert late.mean() == pytest.approx(35 + 22j, abs=0.1)
 
 
 def test_wings_that_touch_a_body_differently_shrink_to_places_that_mirror_each_other():
