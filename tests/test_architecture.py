@@ -35,8 +35,9 @@ ROOMS = {
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing options svg.reading "
     "interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
-    "blending": "pens grading pairing wires frames motion options anatomy interpolate images geometry paint system "
-    "errors model",
+    "blending": "brushes pens grading pairing wires frames motion options anatomy interpolate images geometry paint "
+    "system errors model",
+    "brushes": "pens pairing motion options geometry model",
     "pens": "pairing wires matching motion options anatomy geometry _cython errors model",
     "pairing": "wires motion options anatomy geometry errors model",
     "preview": "wires frames matching svg.writing options svg.reading interpolate geometry paint model",

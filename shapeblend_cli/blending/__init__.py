@@ -1,4 +1,4 @@
 """Two drawings become one blend: placed, paired, matched, moved and clipped.
 
-It may import pens, pairing, motion and all below them.
+It may import brushes, pens, pairing, motion and all below them.
 """

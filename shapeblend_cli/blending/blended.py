@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
+from shapeblend_cli.blending.brushed import with_brushes
 from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -90,7 +91,8 @@ def blend_shapes(
         return shapes
     shapes = with_signs_inverted(*outlined, settings, view, shapes)
     shapes = with_gaps_closed(*outlined, settings, view, shapes)
-    return with_slots_closed(*outlined, view, shapes)
+    shapes = with_slots_closed(*outlined, view, shapes)
+    return with_brushes(*outlined, settings, view, shapes)
 
 
 def _is_free(settings: Settings) -> bool:

@@ -49,6 +49,9 @@ TORN_OFF_COST = 1.2
 CLOSING_COST = 0.25
 """Cost of opening or closing a line, as a share of its length."""
 
+OPENING_COST = 0.1
+"""The same where lines are brush strokes, which hide the cut."""
+
 PRESSED_BENT_COST = 0.4
 """Cost of pressing a round ring to a bent line, as a share of their length: it opens as well, but one with corners
 keeps these as kinks then."""
@@ -189,6 +192,21 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
         costs.append(work + STRETCH_COST * abs(ring.length - 2.0 * line.length) + closing + bending)
     best = int(np.argmin(costs))
     return costs[best], *ways[best]
+
+
+def opening_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexArray]:
+    """Return what it costs that a line becomes another, and their polylines then; a closed line opens for an open one.
+
+    Unlike `partner_cost`, it presses none flat: the sides of a broad ring would show.
+    """
+    ways = ways_between(p, q)
+    works = work_between(*(np.array([_watched(way[side]) for way in ways]) for side in (0, 1)))
+    mean = (p.length + q.length) / 2.0
+    short, long = sorted((p.length, q.length))
+    cost = STRETCH_COST * (long - short) + CRUMPLE_COST * max(0.0, long - CRUMPLES * short)
+    cost += OPENING_COST * mean if p.closed != q.closed else 0.0
+    best = int(np.argmin(works))
+    return mean * float(works[best]) + cost, *ways[best]
 
 
 def _is_round(ring: PenLine) -> bool:

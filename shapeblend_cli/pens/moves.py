@@ -146,7 +146,7 @@ class Move(NamedTuple):
         if not self.is_joined:
             fade = GOES if self.a else COMES
         numbers = self.a and self.a.contour, self.b and self.b.contour
-        contour = _contour_blend(numbers, ends, motion.closed, constants)
+        contour = contour_blend(numbers, ends, motion.closed, constants)
         parts = [line and self._part(line, own) for line, own in zip((self.a, self.b), points, strict=True)]
         contour = contour._replace(reason=self.reason, lines=(parts[0], parts[1]))
         sources = self.a and self.a.shape, self.b and self.b.shape
@@ -167,7 +167,7 @@ class Move(NamedTuple):
         )
 
 
-def _contour_blend(
+def contour_blend(
     numbers: tuple[int | None, int | None],
     ends: Sequence[ComplexArray],
     closed: bool,
@@ -278,7 +278,7 @@ def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple
         shares = shares if length(long) > 1e-9 else line
         return at(a, shares * sizes[0]), at(b, shares * sizes[1])
     bends = (corners(a), corners(b)) if by_corners else ([], [])
-    knots = _matched_corners(*bends)
+    knots = matched_corners(*bends)
     own = [
         np.concatenate([[0.0], np.cumsum(np.abs(np.diff(each)))]) / size
         for each, size in zip((a, b), sizes, strict=True)
@@ -300,7 +300,7 @@ def thinned(p: ComplexArray, q: ComplexArray) -> tuple[ComplexArray, ComplexArra
     return p[keep], q[keep]
 
 
-def _matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float], list[float]]:
+def matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float], list[float]]:
     """Return places of corners on both lines that correspond, from 0 to 1: the nearest, in their order."""
     few, many = (a, b) if len(a) <= len(b) else (b, a)
     # The least sum of differences, by dynamic programming over how many of `few` are placed.

@@ -116,7 +116,7 @@ class Region:
     """A filled region, by the edges of its outlines."""
 
     def __init__(self, contours: Sequence[ComplexArray]) -> None:
-        self.starts, self.ends = ring_edges([_polyline(each) for each in contours])
+        self.starts, self.ends = ring_edges([outline_points(each) for each in contours])
 
     def holds(self, point: complex) -> bool:
         """Return whether a point is inside, by the even-odd rule."""
@@ -130,7 +130,7 @@ class Region:
         return distance_ahead(point, direction, self.starts, self.ends)[0]
 
 
-def _polyline(segments: ComplexArray) -> ComplexArray:
+def outline_points(segments: ComplexArray) -> ComplexArray:
     """Return points along an outline, without its end."""
     lengths = cubics.lengths(segments)
     is_curved = lengths > (1.0 + 1e-6) * np.abs(segments[:, 3] - segments[:, 0])
@@ -212,7 +212,7 @@ def rests_of(contours: Sequence[ComplexArray], lines: Sequence[Recovered]) -> li
     """
     found = []
     for segments in contours:
-        polyline = _polyline(segments)
+        polyline = outline_points(segments)
         points = evenly(np.append(polyline, polyline[0]), OUTLINE_STEP)[:-1]
         away, feet, width = _from_lines(points, lines)
         is_out = away > OFF * width

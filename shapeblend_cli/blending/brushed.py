@@ -1,0 +1,183 @@
+"""Drawings that are brush strokes throughout, such as handwriting: their strokes become each other.
+
+Matched outline to outline, the two sides of a stroke often go to one side of another, and it swells to a lump on the
+way, or is turned inside out.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.anatomy.decompose import HOLE
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.plates.inverted import is_blend_of
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.model import ShapeBlend
+from shapeblend_cli.pens.line import UNITS, length
+from shapeblend_cli.pens.named_lines import wants_lines
+from shapeblend_cli.pens.recovery.region import outline_points
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
+    from shapeblend_cli.brushes.areas import Region
+    from shapeblend_cli.brushes.sides import Brush
+    from shapeblend_cli.brushes.stroke_blends import Matched
+    from shapeblend_cli.model import Box
+    from shapeblend_cli.options.settings import Settings
+
+    Shapes = tuple[ShapeBlend, ...]
+
+SLENDER = 0.22 * UNITS
+"""Maximum mean thickness of a drawing of brush strokes, in units."""
+
+ALIKE = 2.0
+"""Maximum ratio of the mean thicknesses of two drawings."""
+
+WIDEST = 0.3 * UNITS
+"""Maximum width of a brush stroke, in units."""
+
+SHORTEST = 2.5
+"""Minimum length of the strokes of a part of a drawing, in widths of the widest, if it is no dot."""
+
+DOT = 0.25
+"""Maximum area of a dot, as a share of that of the drawing."""
+
+UNEVEN = 2.3
+"""Maximum width of the widest stroke, in mean thicknesses of a drawing: a body with limbs is wider."""
+
+MOST_STROKES = 6
+"""Maximum number of strokes of a drawing."""
+
+MOST_HOLES = 2
+"""Maximum number of holes of a part of a drawing: bars between more are no strokes of a pen."""
+
+LONGEST = 400.0
+"""Maximum length of the outlines of a drawing, in units: longer ones are no letters."""
+
+WRONG = 0.16
+"""Minimum fault of a shape's outlines for a blend to be graded."""
+
+BECOMES = "a brush stroke that becomes another"
+DRAWN_BACK, DRAWN_ON = "a brush stroke that is drawn back", "a brush stroke that is drawn on"
+
+
+def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes) -> Shapes:
+    """Return the blend in which brush strokes become each other, if drawings are such and that looks better.
+
+    The drawings are plain, see `plates.inverted.is_plain`.
+    """
+    scale = UNITS / view.larger_side
+    if settings.strokes != "auto" or not wants_lines(settings) or _has_lines(usual):
+        return usual
+    if not any(shape.taken and shape.taken.wrong >= WRONG for shape in usual):
+        return usual
+    thin, thick = sorted(scale * _thickness(drawing) for drawing in (a, b))
+    if thick > min(SLENDER, ALIKE * thin) or not (_may_be_brushed(a, scale) and _may_be_brushed(b, scale)):
+        return usual
+    grade = grade_of_shapes(usual, view)
+    if grade <= FINE:
+        return usual
+    from shapeblend_cli.brushes.stroke_blends import matched  # few drawings are handwriting
+
+    brushes = _brushes(a, scale), _brushes(b, scale)
+    if brushes[0] is None or brushes[1] is None:
+        return usual
+    best = grade - BETTER
+    for wires in (None, settings):
+        found = matched(brushes[0], brushes[1], wires)
+        if found is None:
+            continue
+        shape = _shape(found, brushes, (a, b), settings, scale)
+        own = grade_of_shapes((shape,), view)
+        if own < best and is_blend_of(shape, a, b, view):
+            best, usual = own, (shape,)
+    return usual
+
+
+def _has_lines(shapes: Shapes) -> bool:
+    """Return whether a blend has strokes of a constant width."""
+    return any(style.stroke is not None for shape in shapes for style in (shape.style_a, shape.style_b))
+
+
+def _may_be_brushed(drawing: PlacedDrawing, scale: float) -> bool:
+    """Return whether a drawing is small enough to be handwriting; letters of texts become letters."""
+    contours = drawing.contours
+    if sum(contour.role != HOLE for contour in contours) > MOST_STROKES:
+        return False
+    if any(drawing.drawing.shapes[contour.shape].element == "text" for contour in contours):
+        return False
+    return sum(length(contour.polygon.line) for contour in contours) * scale <= LONGEST
+
+
+def _thickness(drawing: PlacedDrawing) -> float:
+    """Return the mean thickness of a drawing, if it is slender."""
+    area = sum(contour.area * (-1.0 if contour.role == HOLE else 1.0) for contour in drawing.contours)
+    around = sum(length(contour.polygon.line) for contour in drawing.contours)
+    return 2.0 * area / max(around, 1e-12)
+
+
+def _regions(drawing: PlacedDrawing, scale: float) -> list[Region]:
+    """Return the regions of a drawing, each an exterior with its holes."""
+    from shapeblend_cli.brushes.areas import Region
+
+    groups: dict[int, list[PlacedContour]] = defaultdict(list)
+    for contour in drawing.contours:
+        groups[contour.number if contour.exterior is None else contour.exterior].append(contour)
+    regions = []
+    for number, members in groups.items():
+        rings = []
+        for contour in members:
+            segments = contour.contour.segments * scale
+            is_left = (cubics.signed_area(segments) > 0.0) == (contour.role != HOLE)
+            rings.append(outline_points(segments if is_left else segments[::-1, ::-1]))
+        regions.append(Region(number, rings))
+    return regions
+
+
+def _brushes(drawing: PlacedDrawing, scale: float) -> list[Brush] | None:
+    """Return the strokes of a drawing; None if it is more than strokes."""
+    from shapeblend_cli.brushes.sides import brushes_of
+    from shapeblend_cli.brushes.strokes import strokes_of
+
+    regions = _regions(drawing, scale)
+    area = sum(region.area for region in regions)
+    thickness = 2.0 * area / sum(region.perimeter for region in regions)
+    found: list[Brush] = []
+    for region in regions:
+        brushes = brushes_of(region, strokes_of(region))
+        widest = max((2.0 * float(region.distances(brush.points).max()) for brush in brushes), default=0.0)
+        whole = sum(length(brush.points) for brush in brushes)
+        if widest > min(WIDEST, UNEVEN * thickness) or len(region.rings) > 1 + MOST_HOLES:
+            return None
+        if whole < SHORTEST * widest and region.area > DOT * area:
+            return None
+        found += brushes
+    return found if 0 < len(found) <= MOST_STROKES else None
+
+
+def _shape(
+    found: Matched,
+    brushes: tuple[Sequence[Brush] | None, Sequence[Brush] | None],
+    drawings: tuple[PlacedDrawing, PlacedDrawing],
+    settings: Settings,
+    scale: float,
+) -> ShapeBlend:
+    """Return all strokes as one shape, in A's coordinates."""
+    from shapeblend_cli.pens.moves import contour_blend
+
+    motion = found.motion.scaled(1.0 / scale)
+    contours = []
+    for pair, *ends in zip(found.pairs, motion.outlines(0.0), motion.outlines(1.0), strict=True):
+        a, b = (
+            None if k is None or own is None else own[k].contour for k, own in zip(pair, brushes, strict=True)
+        )
+        reason = DRAWN_BACK if b is None else DRAWN_ON if a is None else BECOMES
+        blend = contour_blend((a, b), ends, True, settings.constants)
+        contours.append(blend._replace(reason=reason))
+    first = [drawing.contours[0] for drawing in drawings]
+    style_a, style_b = (contour.style._replace(fill_rule="nonzero") for contour in first)
+    sources = first[0].shape, first[1].shape
+    return ShapeBlend(tuple(contours), style_a, style_b, motion=motion, reason=BECOMES, sources=sources)
