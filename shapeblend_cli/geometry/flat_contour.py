@@ -13,6 +13,7 @@ from shapeblend_cli.geometry.flatten import edge_parts
 from shapeblend_cli.geometry.polygons import reverse_contour, reverse_polygon
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
 from shapeblend_cli.model import Polygon
+from shapeblend_cli.model.arrays import median
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray
@@ -97,7 +98,7 @@ class FlatContour:
         """
         polygon, own = self.polygon, self.shares
         shares = np.sort(shares % 1.0 if polygon.closed else shares)
-        least = near * _median(own[1:] - own[:-1])
+        least = near * median(own[1:] - own[:-1])
         before = np.minimum(np.maximum(own.searchsorted(shares, side="right") - 1, 0), len(own) - 2)
         shares = shares[np.minimum(shares - own[before], own[before + 1] - shares) > least]
         shares = shares[_apart(shares, least)]
@@ -111,12 +112,6 @@ class FlatContour:
             polygon.closed,
         )
         return replace(self, polygon=cut)
-
-
-def _median(values: FloatArray) -> float:
-    """Return the median, without the modules that numpy's own loads."""
-    rising, count = np.sort(values), len(values)
-    return 0.5 * float(rising[(count - 1) // 2] + rising[count // 2])
 
 
 def _apart(places: FloatArray, least: float) -> IntArray:

@@ -32,3 +32,9 @@ def rolled(values: Any, by: int) -> Any:
     """
     first = -by % max(len(values), 1)
     return np.concatenate([values[first:], values[:first]])
+
+
+def median(values: Any) -> float:
+    """Return the median, without the modules that numpy's own loads."""
+    rising, count = np.sort(values), len(values)
+    return 0.5 * float(rising[(count - 1) // 2] + rising[count // 2])

@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.cubics import directions
 from shapeblend_cli.model import WHOLE
+from shapeblend_cli.model.arrays import median
 from shapeblend_cli.motion.pen import Pen, Together, between
 from shapeblend_cli.pens.drawings import MOST_LINES
 from shapeblend_cli.pens.joints import with_bows, with_pieces
@@ -131,7 +132,7 @@ def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other:
         counts = [sorted(_corners(contour.contour) for contour in drawing.contours) for drawing in (a, b)]
         if not any(counts[0]):
             return False
-    widths = [float(np.median([line.width for line in drawing.lines])) for drawing in (one, other)]
+    widths = [median([line.width for line in drawing.lines]) for drawing in (one, other)]
     return counts[0] == counts[1] and min(widths) < SAME_WEIGHT * max(widths)
 
 
