@@ -196,7 +196,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "exact", "fast"),
         default="auto",
         help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
-        "auto: exact if that is quick.",
+        "auto: exact if that is quick, then near the result.",
     )
     preset: str | None = option(
         types.choice(*PRESETS),
