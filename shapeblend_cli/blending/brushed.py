@@ -92,7 +92,7 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
             continue
         shape = _shape(found, brushes, (a, b), settings, scale)
         own = grade_of_shapes((shape,), view)
-        if own < best and is_blend_of(shape, a, b, view):
+        if own < best and is_blend_of((shape,), a, b, view):
             best, usual = own, (shape,)
     return usual
 
