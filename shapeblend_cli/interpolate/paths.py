@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache, lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -135,4 +136,8 @@ def _found_cuts(moving: _Moving, begin: float, until: float, finer: float) -> Se
         middle = 0.5 * (low + high)
         return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]
 
-    return cut(begin, until, halvings)
+    knots = [t for t in getattr(shape.motion, "knots", ()) if begin < t < until]
+    found = []
+    for low, high in pairwise([begin, *knots, until]):
+        found += [*cut(low, high, halvings), high]
+    return found[:-1]

@@ -43,6 +43,12 @@ CHANGES = 0.1
 """Minimum mean distance that places of a shape move, beside its shift, for its parts to leave early, as a share of the
 view."""
 
+SPEED = ((0.0, 0.15, 1.0), (0.0, 0.4, 1.0))
+"""Shares of a part's own time, and its sizes at these, so that its area changes about evenly."""
+
+TOGETHER = 0.05
+"""Maximum difference of the shares of parts that leave, or come, together: motions of few steps are small files."""
+
 STIRS = 0.02
 """Minimum mean distance, in the same measure, for parts to leave early or come late by their size: in what stays as it
 is they are read at any size."""
@@ -104,9 +110,7 @@ class Early(NamedTuple):
     motion: Motion | None
     small: Mapping[Numbers, float]  # the contours that are, each for this share of the time
     rides: Mapping[Numbers, Ride | Edge] = MappingProxyType({})
-    evenly: bool = (
-        False  # whether areas of small contours, not lengths, do: these are specks for a moment only
-    )
+    knots: tuple[float, ...] = ()  # times at which parts change their speed, if by `SPEED`
 
     @property
     def name(self) -> str:
@@ -137,7 +141,7 @@ class Early(NamedTuple):
         """Return the size of a part that has another one without its share of the time, which it has if it is none."""
         share = self.small.get(numbers, 0.0)
         left = max(0.0, (size - share) / (1.0 - share))
-        return left**0.5 if share and self.evenly else left
+        return float(np.interp(left, *SPEED)) if share and self.knots else left
 
     def _slide(self, contour: ContourBlend, whole: CubicPath, segments: ComplexArray, size: float) -> complex:
         """Return how far the middle of a contour is from where it would be: its body stays where it is attached."""
@@ -302,7 +306,19 @@ def shares_by_size(
         most, large = (appears, LARGE) if contour.grows else (LEAVES, 1.0)
         return most * max(0.0, 1.0 - size / (large * side))
 
-    return {numbers: share(*found) for numbers, found in alone.items()}
+    return _together({numbers: share(*found) for numbers, found in alone.items()})
+
+
+def _together(shares: Mapping[Numbers, float]) -> dict[Numbers, float]:
+    """Return the shares of parts that leave, or come, with those at about the same time the same."""
+    found: dict[Numbers, float] = {}
+    for comes in (False, True):
+        first = -1.0
+        own = [part for part in shares if (part[0] is None) == comes]
+        for part in sorted(own, key=lambda part: shares[part]):
+            first = shares[part] if shares[part] > first + TOGETHER else first
+            found[part] = first
+    return found
 
 
 def _size(contour: ContourBlend) -> float:
@@ -317,12 +333,26 @@ def with_early_parts(
 
     The parts have the shares of the time by which they do. Their areas, or else their lengths, change evenly.
     """
-    return tuple(
-        shape._replace(motion=Early(shape.motion, parts, evenly=evenly))
-        if any((contour.a, contour.b) in parts for contour in shape.contours)
-        else shape
-        for shape in shapes
-    )
+    found = []
+    for shape in shapes:
+        numbers = {(c.a, c.b) for c in shape.contours} & parts.keys()
+        knots = _knots([c for c in shape.contours if (c.a, c.b) in numbers], parts) if evenly else ()
+        found.append(shape._replace(motion=Early(shape.motion, parts, knots=knots)) if numbers else shape)
+    return tuple(found)
+
+
+def _knots(contours: Sequence[ContourBlend], parts: Mapping[Numbers, float]) -> tuple[float, ...]:
+    """Return the times at which some parts, or the parts that they go with, change their speed."""
+    shares = set()
+    for contour in contours:
+        body = contour.root.body if contour.root else (contour.b if contour.grows else contour.a)
+        for number in (contour.b if contour.grows else contour.a, body):
+            share = parts.get((None, number) if contour.grows else (number, None), 0.0)
+            shares.add((contour.grows, share))
+    sizes = [
+        (grows, share + (1.0 - share) * own) for grows, share in shares if share for own in SPEED[0][:-1]
+    ]
+    return tuple(sorted(size if grows else 1.0 - size for grows, size in sizes))
 
 
 def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:

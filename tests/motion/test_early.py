@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.frames.frames import shapes_at
-from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.interpolate.paths import paths_at, waypoints
 from shapeblend_cli.motion.early import Early, alone_in_the_way
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
@@ -152,3 +152,13 @@ def test_what_stands_on_a_shape_stays_on_it_while_it_sinks_in_or_comes_out(foot,
             (sails,), (boat,) = boxes[False], boxes[True]
             assert np.ptp(sails) > 2.0
             assert abs(boat.min() - sails.max()) < 10.2 - foot
+
+
+def test_parts_of_about_one_size_go_together_in_few_steps():
+    mug, glass = "M3 4H15V20H3Z", "M2 3H22L13 14V20H11V14Z"
+    specks = [f"M{x} 1h{size}v{size}h-{size}z" for x, size in ((17, 1.5), (19.5, 1.7), (22, 1.6))]
+    (pair,), _ = match_all([drawing(mug + "".join(specks)), drawing(glass)], Settings())
+    (shape,) = pair.shapes
+    assert [contour.b for contour in shape.contours].count(None) == 3
+    assert shape.motion is not None
+    assert len(waypoints(shape._replace(motion=shape.motion._replace(motion=None)))) <= 2
