@@ -13,6 +13,7 @@ from shapeblend_cli.motion.early import (
     carried_by_lines,
     change_of,
     early_shares,
+    most_shares,
     shares_by_size,
     with_early_parts,
 )
@@ -50,7 +51,7 @@ def with_parts_paced(
         early = early_shares(shapes, alone_in_the_way(shapes, side), are_changed)
     is_by_size = by_size and change > STIRS and (kept is None or _is_coloured(shapes))
     if is_by_size:
-        small = shares_by_size(shapes, alone_in(shapes, DETAIL * side), side, change)
+        small = most_shares(shapes) | shares_by_size(shapes, alone_in(shapes, DETAIL * side), side, change)
         # What others would run into comes when it is told, which may be soon.
         told = {
             part: share for part, share in early.items() if part[0] is None or share > small.get(part, 0.0)

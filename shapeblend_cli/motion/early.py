@@ -36,6 +36,12 @@ APPEARS = 0.58
 """Share of the time by which the smallest part without a partner comes after the start to what changes much, when that
 is near its own form. It falls as that of parts that leave, to none at `LARGE`, and with the change."""
 
+MOST_LEAVES = 0.3
+"""Share of the time by which parts are gone before the end if most of a drawing has no partner and would be missed."""
+
+MOST_COMES = 0.05
+"""Share of the time by which such parts come after the start: they are specks for a moment only, and yet soon there."""
+
 LARGE = 0.5
 """Minimum size of a part that takes all of the time to come, as a share of the view's side: it is read at once."""
 
@@ -307,6 +313,12 @@ def shares_by_size(
         return most * max(0.0, 1.0 - size / (large * side))
 
     return _together({numbers: share(*found) for numbers, found in alone.items()})
+
+
+def most_shares(shapes: Sequence[ShapeBlend]) -> dict[Numbers, float]:
+    """Return the shares of the time by which the parts of a drawing leave or come if most of it has no partner."""
+    contours = (contour for shape in shapes for contour in shape.contours)
+    return {(c.a, c.b): MOST_COMES if c.grows else MOST_LEAVES for c in contours if _is_alone(c)}
 
 
 def _together(shares: Mapping[Numbers, float]) -> dict[Numbers, float]:

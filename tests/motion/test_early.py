@@ -129,13 +129,15 @@ def test_a_stroke_without_a_partner_leaves_no_dot():
         assert widths == []
 
 
-def test_details_leave_early_even_if_most_of_a_drawing_has_no_partner_and_nothing_else_does():
+def test_details_leave_early_even_if_most_of_a_drawing_has_no_partner_and_the_rest_later():
     crown, cap = "M2 20L12 12L22 20Z", "M2 16H22V22H2Z"
     head, horn = '<path fill="#c00" d="M4 2H20V11H4Z"/>', '<path fill="#00c" d="M1 1H3V3H1Z"/>'
     ends = drawing(crown, head, head.replace("c00", "a00"), horn), drawing(cap)
     heads, small = sorted(sizes(*ends, 0.4)[0])[1:], min(sizes(*ends, 0.4)[0])
     assert small < 0.01
     assert min(heads) == pytest.approx(0.6 * 25.0, rel=0.2)
+    assert max(sizes(*ends, 0.72)[0]) < 0.01
+    assert min(sizes(*ends[::-1], 0.2)[0][:2]) > 9.0
 
 
 @pytest.mark.parametrize(("foot", "colour"), [(10, "#000"), (10, "#c00"), (9, "#c00")])
