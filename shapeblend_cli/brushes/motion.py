@@ -12,12 +12,12 @@ import numpy as np
 
 from shapeblend_cli.brushes.sides import tangents
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.polyline import cumulative_lengths, needed
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, FloatArray
     from shapeblend_cli.motion.pen import Moving
 
 FADES = 0.3
@@ -28,6 +28,15 @@ THINS = 0.5
 
 DOT = 0.8
 """Maximum length of the centre line of a dot, in widths."""
+
+WATCHED = 0.0, 0.05, 0.25, 0.5, 0.75, 0.95, 1.0
+"""Times at which outlines are thinned."""
+
+EXACT = 0.012
+"""Tolerance of outlines at both ends, in units: a quarter of a pixel where 24 units are 512."""
+
+ROUGH = 0.03
+"""Tolerance of outlines on the way, in units."""
 
 MOST_UNFOLDED = 4
 """Maximum number of times that a side is looked through for folds."""
@@ -161,9 +170,13 @@ class Alone(NamedTuple):
 
 
 class Brushes(NamedTuple):
-    """All strokes of a drawing; those that rest on others come after them, if they are alone."""
+    """All strokes of a drawing; those that rest on others come after them, if they are alone.
+
+    `kept` says which vertices of their outlines are, all if it is empty.
+    """
 
     strokes: tuple[Becoming | Alone, ...]
+    kept: tuple[BoolArray, ...] = ()
 
     @property
     def name(self) -> str:
@@ -186,12 +199,30 @@ class Brushes(NamedTuple):
                     shift = _shift(lines[stroke.rest.stroke], stroke.rest.vertex, 2 if stroke.is_new else 0)
                 lines.append((stroke.line, stroke.centre(shift), stroke.line))
             shifts.append(shift)
-        return [
+        outlines = [
             stroke.outline(_resting(stroke, own, lines, t), t)
             if isinstance(stroke, Becoming)
             else stroke.outline(shift, t)
             for stroke, own, shift in zip(self.strokes, lines, shifts, strict=True)
         ]
+        if not self.kept:
+            return outlines
+        return [outline[kept] for outline, kept in zip(outlines, self.kept, strict=True)]
+
+    def thinned(self) -> Brushes:
+        """Return the same, in units, without the vertices that are needed at no time."""
+        times = [self.outlines(t) for t in WATCHED]
+        kept = [
+            np.any(
+                [
+                    needed(outline, EXACT if t in (0.0, 1.0) else ROUGH)
+                    for t, outline in zip(WATCHED, own, strict=True)
+                ],
+                axis=0,
+            )
+            for own in zip(*times, strict=True)
+        ]
+        return self._replace(kept=tuple(kept))
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each stroke at a time."""
@@ -199,7 +230,7 @@ class Brushes(NamedTuple):
 
     def scaled(self, by: float) -> Brushes:
         """Return the same, so many times as large."""
-        return Brushes(tuple(stroke.scaled(by) for stroke in self.strokes))
+        return self._replace(strokes=tuple(stroke.scaled(by) for stroke in self.strokes))
 
 
 Line = tuple["ComplexArray", "ComplexArray", "ComplexArray"]

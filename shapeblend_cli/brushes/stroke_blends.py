@@ -84,7 +84,7 @@ def matched(a: Sequence[Brush], b: Sequence[Brush], wires: Settings | None = Non
             return None
         every += alone.values()
         pairs += [(None, k) if side else (k, None) for k in alone]
-    return Matched(pairs, Brushes(tuple(every)))
+    return Matched(pairs, Brushes(tuple(every)).thinned())
 
 
 def _line(brush: Brush) -> PenLine:
