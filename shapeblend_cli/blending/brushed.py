@@ -7,6 +7,7 @@ way, or is turned inside out.
 from __future__ import annotations
 
 from collections import defaultdict
+from itertools import product
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import HOLE
@@ -60,6 +61,9 @@ LONGEST = 400.0
 WRONG = 0.16
 """Minimum fault of a shape's outlines for a blend to be graded."""
 
+TURNED = 0.1
+"""Minimum advantage of strokes that turn as they go, which may leave the view, in grades."""
+
 BECOMES = "a brush stroke that becomes another"
 DRAWN_BACK, DRAWN_ON = "a brush stroke that is drawn back", "a brush stroke that is drawn on"
 
@@ -86,12 +90,12 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     if brushes[0] is None or brushes[1] is None:
         return usual
     best = grade - BETTER
-    for wires in (None, settings):
-        found = matched(brushes[0], brushes[1], wires)
+    for wires, turns in product((None, settings), (False, True)):
+        found = matched(brushes[0], brushes[1], wires, turns=turns)
         if found is None:
             continue
         shape = _shape(found, brushes, (a, b), settings, scale)
-        own = grade_of_shapes((shape,), view)
+        own = grade_of_shapes((shape,), view) + (TURNED if turns else 0.0)
         if own < best and is_blend_of((shape,), a, b, view):
             best, usual = own, (shape,)
     return usual

@@ -54,10 +54,13 @@ class Matched(NamedTuple):
     motion: Brushes
 
 
-def matched(a: Sequence[Brush], b: Sequence[Brush], wires: Settings | None = None) -> Matched | None:
+def matched(
+    a: Sequence[Brush], b: Sequence[Brush], wires: Settings | None = None, *, turns: bool = False
+) -> Matched | None:
     """Match the strokes of two drawings, vertices by even lengths or along wires, with settings for these.
 
-    None if a stroke is too crooked for its vertices to be found along it.
+    Strokes turn as they go, or only where they would shrink otherwise. None if a stroke is too crooked for its vertices
+    to be found along it.
     """
     lines = [_line(brush) for brush in a], [_line(brush) for brush in b]
     chosen = _partners(*lines)
@@ -71,7 +74,7 @@ def matched(a: Sequence[Brush], b: Sequence[Brush], wires: Settings | None = Non
         offsets = _offsets(a[i], p, points[0]), _offsets(b[j], q, points[1])
         if offsets[0] is None or offsets[1] is None:
             return None
-        found.append(Becoming(between(*points), *_with_alike_caps(offsets[0], offsets[1])))
+        found.append(Becoming(between(*points, always=turns), *_with_alike_caps(offsets[0], offsets[1])))
     numbers = {i: k for k, (i, _) in enumerate(chosen)}, {j: k for k, (_, j) in enumerate(chosen)}
     pairs: list[tuple[int | None, int | None]] = list(chosen)
     every: list[Becoming | Alone] = [

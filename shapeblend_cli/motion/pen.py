@@ -222,10 +222,13 @@ class Riding(NamedTuple):
         return self._replace(own=self.own.scaled(by), carrier=self.carrier.scaled(by))
 
 
-def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving:
-    """Return how a polyline becomes another with as many points: straight, unless that would shrink it."""
+def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False, always: bool = False) -> Moving:
+    """Return how a polyline becomes another with as many points: straight, or it turns as it goes.
+
+    It turns if it would shrink else, or `always`, but for where it would reach far across the drawing.
+    """
     sizes = [float(np.abs(np.diff(each)).sum()) for each in (a, b, (a + b) / 2.0)]
-    if closed or sizes[2] >= BENDS * min(sizes[:2]):
+    if closed or (sizes[2] >= BENDS * min(sizes[:2]) and not always):
         return Straight(a, b)
     edges_a, edges_b = np.diff(a), np.diff(b)
     seen = (np.abs(edges_a) > 1e-9) & (np.abs(edges_b) > 1e-9)
@@ -240,7 +243,7 @@ def between(a: ComplexArray, b: ComplexArray, *, closed: bool = False) -> Moving
     whole = float(np.average(turns, weights=lengths[0] + lengths[1]))
     turns -= 2.0 * np.pi * np.round(whole / (2.0 * np.pi))
     whole = (whole + np.pi) % (2.0 * np.pi) - np.pi
-    if abs(whole) < TURNS_OVER and sizes[2] >= FLATTENS * min(sizes[:2]):
+    if not always and abs(whole) < TURNS_OVER and sizes[2] >= FLATTENS * min(sizes[:2]):
         return Straight(a, b)  # it turns over in place, through a straight line
     angles = np.where(np.abs(edges_a) > 1e-9, np.angle(edges_a), np.angle(edges_b))
     turning = Turning(a, b, lengths, (angles, turns))
