@@ -31,7 +31,7 @@ ON_EDGE = 0.5
 COVERED = 0.25
 """Maximum distance of a stroke from another that covers it, in widths of the narrower one."""
 
-LEAST_SHARE = 0.75
+LEAST_SHARE = 0.5
 """Minimum share of a stroke that lies on the edge on which it rides."""
 
 SURE_SHARE = 0.9

@@ -103,3 +103,13 @@ def test_a_stroke_becomes_the_stroke_that_is_painted_last_where_it_goes():
     filled = FILL.format(DROP).replace("/>", ' stroke="#fc0" stroke-width="1"/>')
     shapes = between(a, [filled, STROKE.format(DROP, 1)])
     assert {shape.style.stroke for shape in shapes if shape.style.fill is None} == {"#000000"}
+
+
+@pytest.mark.parametrize(("tail", "follows"), [("L31 4", True), ("L60 4", False)])
+def test_a_stroke_that_leaves_the_edge_follows_it_if_most_of_it_lies_there(tail, follows):
+    a = drawing(FILL.format(LEAF), STROKE.format(f"M4 20C4 8 8 4 20 4{tail}", 1))
+    b = drawing(FILL.format(DROP), STROKE.format(DROP, 1))
+    (pair,), _ = match_all([a, b], Settings())
+    strokes = [c for shape in pair.shapes if shape.style_a.fill is None for c in shape.contours if c.a == 1]
+    assert strokes
+    assert all(stroke.follows_edge == follows for stroke in strokes)
