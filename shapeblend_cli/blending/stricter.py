@@ -8,9 +8,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates
+from shapeblend_cli.pairing.riders import riders
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -66,7 +68,26 @@ def with_stricter_pairs(
         grade = grade_of_shapes(shapes, view)
         if grade < best - (PREFERRED if found[0] is paired else 0.0):
             best, found = grade, (other, shapes)
-    return found
+    other = _without_torn_lines(found[0])
+    if _partners(other) in seen:
+        return found
+    shapes = move(other)
+    return (other, shapes) if grade_of_shapes(shapes, view) < best - PREFERRED else found
+
+
+def _without_torn_lines(paired: PairedDrawings) -> PairedDrawings:
+    """Leave strokes on the edges of fills that have no partner without one, too: both then move as one."""
+    torn = []
+    for side, contours in enumerate((paired.a.contours, paired.b.contours)):
+        known = {numbers[side] for numbers in paired.pairs}
+        alone = {c.number for c in contours if c.role == EXTERIOR and c.style.fill is not None} - known
+        torn.append(riders(contours, alone))
+    kept = {
+        numbers: each
+        for numbers, each in paired.pairs.items()
+        if not any(number in lines for number, lines in zip(numbers, torn, strict=True))
+    }
+    return paired._replace(pairs=kept)
 
 
 def _partners(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:

@@ -38,3 +38,14 @@ def test_drawings_of_one_paint_are_left_as_they_are(monkeypatch):
     monkeypatch.setattr(stricter, "grade_of_shapes", fail)
     bars = drawing(f'<path d="{HAND}"/><path d="M4 4h4v16h-4z"/>'), drawing(f'<path d="{FIST}"/>')
     assert (0, 0) in partners(pair_of(*bars))
+
+
+def test_the_line_around_a_fill_without_a_partner_goes_with_it():
+    body, skid, rotor = "M20 24h30v20h-30z", "M24 44L10 62h20L46 44", "M4 12h56"
+    line = '<path fill="none" stroke="#000" stroke-width="2" d="{}"/>'
+    plane = f'<path fill="#9b9b9a" d="{skid}z"/><path fill="#d0cfce" d="{body}"/>'
+    other = f'<path fill="#d0cfce" d="{body}"/>{line.format(body)}{line.format(rotor)}'
+    a = drawing(f"{plane}{line.format(skid)}{line.format(body)}", viewbox="0 0 64 64")
+    b = drawing(f"{other}{line.format('M35 12v12')}", viewbox="0 0 64 64")
+    assert partners(pair_of(a, b)) == {(1, 0), (3, 1)}
+    assert partners(pair_of(b, a)) == {(0, 1), (1, 3)}
