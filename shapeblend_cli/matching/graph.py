@@ -37,6 +37,8 @@ np.empty(KEPT, np.uint8)  # glibc learns from the largest block that was freed, 
 
 NOT_KEPT = np.empty(0, np.uint8)
 
+NO_ENDS = np.empty(0)
+
 PRICED = 0.5
 """Share of a usual search that is done when the tables are."""
 
@@ -64,7 +66,7 @@ class Found(NamedTuple):
     is_own : bool
         Whether it ends in the state it started from, and stays in the band around its own start.
     ends : (rows,) float
-        The least work of paths to the end of each row of the set, wherever in it they start.
+        The least work of paths to the end of each row of the set, wherever in it they start, where it is not its own.
     """
 
     work: float
@@ -144,19 +146,21 @@ class Graph:
         self._to_go: FloatArray = np.empty((0, 3))
         self._visited: IntArray = np.empty((self.columns, 2), np.intp)
         self._least: float | None = None
+        self._progress: Progress | None = None
+        self._dots = region.dots
         self._tables: Tables | None = None
         if self.closed:
             self._is_whole = bool((region.high - region.low >= wires.n).any())
         else:
             self._is_whole = region.dots == wires.m * wires.n
-        if (wires.m * wires.n if self._is_whole else region.dots) <= STORED_DOTS:
+        if (wires.m * wires.n if self._is_whole else self._dots) <= STORED_DOTS:
             self._tables = wires.tables(None if self._is_whole else region)
             self.watch(PRICED)
 
     @property
     def swept(self) -> int:
         """The number of dots in all sweeps so far, those left out too."""
-        return self.sweeps * self.region.dots
+        return self.sweeps * self._dots
 
     def forbid(self, dots: Sequence[tuple[int, int]]) -> None:
         """Forbid Southeast steps from these dots."""
@@ -223,7 +227,7 @@ class Graph:
     def _bound_states(self, starts: Starts) -> None:
         """Bound the work from every state to the ends of paths from these starts."""
         assert self._tables is not None
-        self._to_go = np.empty((self.region.dots, 3))
+        self._to_go = np.empty((self._dots, 3))
         sweeps.cost_to_go(self._tables, self.region, starts.terminals(self.span), self._to_go, NOT_KEPT)
         self.sweeps += 1
         self.watch(FIRST_SWEPT)
@@ -270,7 +274,12 @@ class Graph:
         if window is None:
             return None
         sources, rows = starts.terminals(), (starts.first_row, starts.last_row + self.span)
-        progress = Progress(window, sources, self._visited, rows)
+        if window is not self.region:
+            progress = Progress(window, sources, self._visited, rows)
+        elif self._progress is None:
+            progress = self._progress = Progress(window, sources, self._visited, rows)
+        else:
+            progress = self._progress.again(sources, rows)
         bounds = Bounds(self.region, self._to_go[:0] if simplified else self._to_go, limit)
         for tables, last_column in self._blocks(window):
             sweeps.sweep(tables, window, sources, bounds, progress, last_column, simplified)
@@ -298,10 +307,12 @@ class Graph:
         row, step = low + first_end + at // 3, at % 3
         dots, first_step = sweeps.backtrack(progress.parents, window, row, step, starts.first_row)
         own = int(dots[0, 1]) + self.span == row and (first_step == step or not self.closed)
+        if own and self._in_band(dots):
+            return Found(work, dots, True, NO_ENDS)
         ends = np.full(starts.rows, np.inf)
         before = low + first_end - self.span - starts.first_row
         np.minimum.reduce(offered, axis=1, out=ends[before : before + len(offered)])
-        return Found(work, dots, own and self._in_band(dots), ends)
+        return Found(work, dots, False, ends)
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """Yield tables for runs of columns of a window, and the last column of each run."""

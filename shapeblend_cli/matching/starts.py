@@ -130,14 +130,13 @@ def _branch_and_bound(
             best = Path(found.dots, found.work, graph.sweeps)
             limit = found.work * (1.0 - ROUNDING)
         else:
-            first, last = found.dots[[0, -1], 1].tolist()
-            for part in starts.without(first, last - graph.span):
+            for part in starts.without(int(found.dots[0, 1]), int(found.dots[-1, 1]) - graph.span):
                 # No path of a row's own takes less than the least one to its end.
                 least = found.ends[part.first_row - starts.first_row :][: part.rows]
-                rows = (least < limit).nonzero()[0]
-                if len(rows):
-                    bound = max(float(least[rows].min()), starts.bound)
-                    first, last = (part.first_row + int(rows[k]) for k in (0, -1))
-                    heapq.heappush(queue, Starts(bound, first, last, part.steps))
+                bound = float(np.minimum.reduce(least, initial=np.inf))
+                if bound < limit:
+                    rows = (least < limit).nonzero()[0]
+                    first, last = part.first_row + int(rows[0]), part.first_row + int(rows[-1])
+                    heapq.heappush(queue, Starts(max(bound, starts.bound), first, last, part.steps))
                     waiting += last - first + 1
     return best

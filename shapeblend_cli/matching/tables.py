@@ -124,6 +124,13 @@ class Progress:
 
     __slots__ = ("column", "current", "ends", "leaving", "live_rows", "parents", "rows", "visited")
 
+    def again(self, starts: Terminals, rows: tuple[int, int]) -> Progress:
+        """Begin anew in the same window, with other starts: findings so far are overwritten."""
+        self.column = self.current = 0
+        self.live_rows, self.rows = starts[:2], rows
+        self.ends.fill(np.inf)
+        return self
+
     def __init__(
         self, window: Window, starts: Terminals, visited: IntArray, rows: tuple[int, int] | None = None
     ) -> None:
