@@ -90,8 +90,10 @@ def slash_axis(plain: Sequence[Contour], crossed: Sequence[Contour]) -> complex 
     edges, centre, side = _framed(plain, crossed)
     size = max(float(np.ptp(edges[0][0].real)), float(np.ptp(edges[0][0].imag)))
     for axis, along in _axes(chords[np.abs(chords) > LEAST_EDGE * side]):
+        least, most = (length * GRID / side for length in (LEAST_SLASH * size, along / EDGES))
+        if least > most:
+            continue
         before, after = _rasters(edges, centre, side, axis)
-        least, most = (size * GRID / side for size in (LEAST_SLASH * size, along / EDGES))
         if _is_crossed_out(before, after, least, most):
             return axis
     return None
