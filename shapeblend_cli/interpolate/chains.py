@@ -76,7 +76,7 @@ def keyframed_shapes(pairs: Sequence[Pair], finer: float = 1.0) -> list[Keyframe
             for k, chain in enumerate(chains)
             if chain.fading is None and chain.first + len(chain.styles) - 1 == pair.a
         }
-        started = [_start(shape, pair.a, finer) for shape in pair.shapes]
+        started = [_start(shape, pair.a, finer, len(pairs) > 1) for shape in pair.shapes]
         continued: dict[int, tuple[int, _ShapeChain]] = {}
         for k, chain in enumerate(started):
             numbers = _numbers([contour.start for contour in chain.contours])
@@ -107,7 +107,7 @@ def keyframed_shapes(pairs: Sequence[Pair], finer: float = 1.0) -> list[Keyframe
         for clip in clips:
             if (id(clip), first, span, pace) not in regions:
                 started = [
-                    _start(shape._replace(span=span, pace=pace), first, finer) for shape in clip.shapes
+                    _start(shape._replace(span=span, pace=pace), first, finer, False) for shape in clip.shapes
                 ]
                 regions[id(clip), first, span, pace] = tuple(_coats(shape)[-1] for shape in started)
         return tuple(regions[id(clip), first, span, pace] for clip in clips)
@@ -147,10 +147,10 @@ def _numbers(keys: Sequence[Key]) -> frozenset[int | None]:
     return frozenset() if None in numbers else numbers
 
 
-def _start(shape: ShapeBlend, first: int, finer: float) -> _ShapeChain:
+def _start(shape: ShapeBlend, first: int, finer: float, is_joined: bool) -> _ShapeChain:
     points = waypoints(shape, finer)
     contours = [
-        ContourChain.of(blend, [point.paths[k].segments for point in points])
+        ContourChain.of(blend, [point.paths[k].segments for point in points], is_joined=is_joined)
         for k, blend in enumerate(shape.contours)
     ]
     styles = [shape.style_a, shape.style_b]

@@ -28,6 +28,9 @@ STEPS = 6
 """Number of Newton steps of that search."""
 
 
+NO_CUTS = np.empty(0)
+
+
 class Key(NamedTuple):
     """A contour of a drawing, and its cuts."""
 
@@ -52,6 +55,12 @@ class Key(NamedTuple):
         polygons = blend.polygon_a, blend.polygon_b
         return [cls.of(*each) for each in zip(numbers, contours, polygons, blend.cuts, strict=True)]
 
+    @classmethod
+    def whole_of(cls, blend: ContourBlend) -> list[Key]:
+        """Return the keys of both contours of a blend without cuts."""
+        sides = (blend.a, blend.contour_a), (blend.b, blend.contour_b)
+        return [cls(number, contour.segments, NO_CUTS) for number, contour in sides]
+
 
 class ContourChain(NamedTuple):
     """A contour over two keys or more."""
@@ -63,13 +72,18 @@ class ContourChain(NamedTuple):
     end: Key  # the last
 
     @classmethod
-    def of(cls, blend: ContourBlend, between: Sequence[ComplexArray] = ()) -> ContourChain:
-        """Return a contour of one pair, and the control points at waypoints between."""
+    def of(
+        cls, blend: ContourBlend, between: Sequence[ComplexArray] = (), *, is_joined: bool = True
+    ) -> ContourChain:
+        """Return a contour of one pair, and the control points at waypoints between.
+
+        Unless it is to be joined to others, its keys have no cuts.
+        """
         return cls(
             [blend.start.segments, *between, blend.end.segments],
             blend.start.straight,
             blend.start.closed,
-            *Key.each_of(blend),
+            *(Key.each_of(blend) if is_joined else Key.whole_of(blend)),
         )
 
 
