@@ -138,7 +138,6 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     lines = _lines(a), _lines(b)
     if not all(lines):
         return None
-    points = [_points(side) for side in lines]
     centres = boxes[0].centre, boxes[1].centre
 
     def near(points: ComplexArray, lines: Sequence[ComplexArray]) -> BoolArray:
@@ -151,6 +150,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
 
     if differ(turned=False) and differ(turned=True):
         return None
+    points = [_points(side) for side in lines]
     stays = near(points[0] - centres[0] + centres[1], lines[1])
     if stays.mean() > MOST_STAYS:
         return None
@@ -167,8 +167,8 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
             continue
         if stays.mean() > STAYS and not (way.angle and rests(way)):
             continue
-        there = near(way.apply(points[0]), lines[1]), near(way.undo(points[1]), lines[0])
-        if min(share.mean() for share in there) >= COPIED:
+        there = near(way.apply(points[0]), lines[1])
+        if there.mean() >= COPIED and near(way.undo(points[1]), lines[0]).mean() >= COPIED:
             return way
     return None
 
