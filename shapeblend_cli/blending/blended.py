@@ -12,11 +12,11 @@ from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.paced import with_parts_paced
+from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
-from shapeblend_cli.blending.stricter import with_steps_kept, with_stricter_pairs
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -124,7 +124,7 @@ def _by_lines_or_outlines(
         paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
         shapes = move(paired)
         if _is_free(settings):
-            paired, shapes = with_stricter_pairs(paired, shapes, move, view, works)
+            paired, shapes = with_better_pairs(paired, shapes, move, view, works)
         return _with_bodies(paired, shapes, view)
 
     def move(paired: PairedDrawings) -> Shapes:

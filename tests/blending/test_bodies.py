@@ -1,6 +1,6 @@
 """The largest fills of two drawings become each other where one would come from nothing, and that looks better."""
 
-from shapeblend_cli.blending import blended
+from shapeblend_cli.blending import blended, pairings
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -29,5 +29,6 @@ def test_what_users_name_is_left_as_it_is():
 
 
 def test_a_small_gain_changes_nothing(monkeypatch):
-    monkeypatch.setattr(blended, "BETTER", 0.5)
+    for module in (blended, pairings):
+        monkeypatch.setattr(module, "BETTER", 0.5)
     assert numbers(pair_of(A, B)) == [(None, 0), (0, 1), (1, 2)]

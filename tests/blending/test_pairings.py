@@ -1,6 +1,6 @@
-"""Parts that would become unlike ones have no partner where that looks better."""
+"""Other pairings are taken where they look better: unlike parts are left alone, and like ones become each other."""
 
-from shapeblend_cli.blending import stricter
+from shapeblend_cli.blending import pairings
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -22,7 +22,7 @@ def test_parts_do_not_become_unlike_ones_if_that_looks_better():
 
 
 def test_a_small_gain_changes_nothing(monkeypatch):
-    monkeypatch.setattr(stricter, "PREFERRED", 0.5)
+    monkeypatch.setattr(pairings, "PREFERRED", 0.5)
     assert len(partners(pair_of(A, B))) > 1
 
 
@@ -35,7 +35,7 @@ def test_drawings_of_one_paint_are_left_as_they_are(monkeypatch):
     def fail(*arguments):
         raise AssertionError
 
-    monkeypatch.setattr(stricter, "grade_of_shapes", fail)
+    monkeypatch.setattr(pairings, "grade_of_shapes", fail)
     bars = drawing(f'<path d="{HAND}"/><path d="M4 4h4v16h-4z"/>'), drawing(f'<path d="{FIST}"/>')
     assert (0, 0) in partners(pair_of(*bars))
 
@@ -49,3 +49,15 @@ def test_the_line_around_a_fill_without_a_partner_goes_with_it():
     b = drawing(f"{other}{line.format('M35 12v12')}", viewbox="0 0 64 64")
     assert partners(pair_of(a, b)) == {(1, 0), (3, 1)}
     assert partners(pair_of(b, a)) == {(0, 1), (1, 3)}
+
+
+def test_parts_of_one_paint_become_each_other_if_that_looks_better():
+    def folder(back, front):
+        return drawing(
+            f'<path fill="#ffa000" d="{back}"/><path fill="#ffca28" d="{front}"/>', viewbox="0 0 48 48"
+        )
+
+    shut = folder("M4 8h14l4 4h22v8H4z", "M4 12h40v28H4z")
+    opened = folder("M4 8h14l4 4h20v28H4z", "M12 18h34L40 40H8z")
+    assert partners(pair_of(shut, opened)) == {(0, 0), (1, 1)}
+    assert partners(pair_of(opened, shut)) == {(0, 0), (1, 1)}

@@ -1,0 +1,166 @@
+"""Other pairings of the contours of two drawings with parts of several colours, where the judge prefers them.
+
+The ordinary costs pair as much as they can, and in such drawings that may be too much: a heart that comes loose becomes
+a brow. Or they go by place where the paint tells what is what: the back of a folder becomes its front. Whether a pair
+reads as a change or as a mistake is seen only in the picture.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.anatomy.decompose import EXTERIOR
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.matched import pair_drawings
+from shapeblend_cli.model import Box
+from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates, assign
+from shapeblend_cli.pairing.riders import riders
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour
+    from shapeblend_cli.blending.matched import PairedDrawings
+    from shapeblend_cli.model import ComplexArray, ShapeBlend
+    from shapeblend_cli.model.style import Paint
+
+    Shapes = tuple[ShapeBlend, ...]
+
+STRICTER = (Rates(paint=1.5 * PAINT_WEIGHT), Rates(alone=ALONE_COST - 0.13), Rates(alone=ALONE_COST - 0.23))
+"""Costs of pairings that are tried: another colour counts more, or it costs less to have no partner."""
+
+MOST_ALIKE = 4
+"""Maximum number of parts of one paint in each drawing that are paired with each other."""
+
+LEAST_SIZE = 1 / 3
+"""Minimum ratio of the sizes of such parts."""
+
+PREFERRED = 0.05
+"""Minimum advantage of a pairing that leaves more parts alone for it to be taken, in grades."""
+
+MOST_STEPS = 1000
+"""Maximum number of steps that are kept for the other pairings."""
+
+AFFORDABLE = 80
+"""Maximum number of contours of a drawing of which other pairings are tried."""
+
+
+def with_steps_kept(paired: PairedDrawings) -> PairedDrawings:
+    """Let a blend keep its steps where other pairings may be tried: most of the pairs are in all of them."""
+    return paired._replace(progress=paired.progress.keeping(MOST_STEPS)) if _has_others(paired) else paired
+
+
+def with_better_pairs(
+    paired: PairedDrawings,
+    usual: Shapes,
+    move: Callable[[PairedDrawings], Shapes],
+    view: Box,
+    works: dict[tuple[int, int], float],
+) -> tuple[PairedDrawings, Shapes]:
+    """Return paired drawings and their blend, or those of another pairing that the judge prefers in a view.
+
+    `move` blends paired drawings, and `works` are those that the ordinary pairing has found.
+    """
+    if not _has_others(paired):
+        return paired, usual
+    best = grade_of_shapes(usual, view)
+    if best <= FINE:
+        return paired, usual
+    found = paired, usual
+    seen = [_partners(paired)]
+    for other, gain in _others(paired, works):
+        if _partners(other) not in seen:
+            seen.append(_partners(other))
+            shapes = move(other)
+            grade = grade_of_shapes(shapes, view) + gain
+            if grade < best:
+                best, found = grade, (other, shapes)
+    other = _without_torn_lines(found[0])
+    if _partners(other) in seen:
+        return found
+    shapes = move(other)
+    return (other, shapes) if grade_of_shapes(shapes, view) < best - PREFERRED else found
+
+
+def _others(
+    paired: PairedDrawings, works: dict[tuple[int, int], float]
+) -> Iterator[tuple[PairedDrawings, float]]:
+    """Yield other pairings with what they have to gain to be taken, in grades."""
+    a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
+    for rates in STRICTER:
+        yield pair_drawings(a, b, settings, 0.0, progress, rates=rates._replace(works=works)), PREFERRED
+    alike = _alike(paired)
+    if alike:
+        other = pair_drawings(a, b, settings, 0.0, progress, wanted=alike, rates=Rates(works=works))
+        yield other, BETTER
+
+
+def _alike(paired: PairedDrawings) -> list[tuple[int, int]]:
+    """Return the parts of each paint that both drawings have equally often, the nearest ones by numbers.
+
+    Places are relative to the drawings. Paints whose parts are all paired with each other are left out.
+    """
+    sides = paired.a.contours, paired.b.contours
+    kinds_a, kinds_b = map(_by_paint, sides)
+    frames = [Box.union([contour.box for contour in side]) for side in sides]
+    partner = {i: j for i, j in paired.pairs}
+    found = []
+    for paint in kinds_a.keys() & kinds_b.keys():
+        p, q = kinds_a[paint], kinds_b[paint]
+        if len(p) != len(q) or len(p) > MOST_ALIKE:
+            continue
+        there = {contour.number for contour in q}
+        if all(partner.get(contour.number) in there for contour in p):
+            continue
+        places = [_places(side, frame) for side, frame in zip((p, q), frames, strict=True)]
+        for i, j in assign(np.abs(places[0][:, None] - places[1])):
+            sizes = p[i].size, q[j].size
+            if min(sizes) >= LEAST_SIZE * max(sizes):
+                found.append((p[i].number, q[j].number))
+    return sorted(found)
+
+
+def _without_torn_lines(paired: PairedDrawings) -> PairedDrawings:
+    """Leave strokes on the edges of fills that have no partner without one, too: both then move as one."""
+    torn = []
+    for side, contours in enumerate((paired.a.contours, paired.b.contours)):
+        known = {numbers[side] for numbers in paired.pairs}
+        alone = {c.number for c in contours if c.role == EXTERIOR and c.style.fill is not None} - known
+        torn.append(riders(contours, alone))
+    kept = {
+        numbers: each
+        for numbers, each in paired.pairs.items()
+        if not any(number in lines for number, lines in zip(numbers, torn, strict=True))
+    }
+    return paired._replace(pairs=kept)
+
+
+def _partners(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
+    return {(*numbers, any(one.is_piece for one in pair)) for numbers, (pair, _) in paired.pairs.items()}
+
+
+def _has_others(paired: PairedDrawings) -> bool:
+    """Return whether other pairings may be tried: where pairs are free, and not all parts are painted alike."""
+    sides = paired.a.contours, paired.b.contours
+    is_fixed = paired.changes or paired.required or paired.settings.unmatched != "auto"
+    if is_fixed or max(map(len, sides)) > AFFORDABLE:
+        return False
+    return all(len({contour.style.paints for contour in side}) > 1 for side in sides)
+
+
+def _by_paint(contours: Sequence[PlacedContour]) -> dict[Paint, list[PlacedContour]]:
+    """Return the exteriors with a plain fill and no stroke, by their paint."""
+    found: dict[Paint, list[PlacedContour]] = {}
+    for contour in contours:
+        style = contour.style
+        if contour.role == EXTERIOR and style.stroke is None and style.fill_gradient is None:
+            found.setdefault(style.paints[0], []).append(contour)
+    return found
+
+
+def _places(contours: Sequence[PlacedContour], frame: Box) -> ComplexArray:
+    """Return the middles of contours in a frame, whose sides are 1."""
+    away = np.array([contour.box.centre for contour in contours]) - complex(frame.x, frame.y)
+    return away.real / (frame.width or 1.0) + 1j * away.imag / (frame.height or 1.0)
