@@ -55,11 +55,13 @@ DRAWN |= {"ring": RING, "squares": SQUARES, "bar": BAR}
 
 @pytest.mark.parametrize("pair", "B-8 i-j eye-leaf ring-leaf squares-ring bar-B".split())
 @pytest.mark.parametrize("unmatched", ["point", "split"])
-def test_what_is_filled_changes_smoothly(here, pair, unmatched):
+@pytest.mark.parametrize(("motion", "most"), [("linear", 0.03), ("auto", 0.06)])
+def test_what_is_filled_changes_smoothly(here, pair, unmatched, motion, most):
     files(*map(DRAWN.get, pair.split("-")))
-    areas = filled_areas(here, "--unmatched", unmatched)
-    # No step is a jump: none is much larger than those beside it, as a share of the larger area.
-    assert np.abs(np.diff(areas, 2)).max() < 0.03 * areas.max(), areas.round(1)
+    areas = filled_areas(here, "--unmatched", unmatched, "--motion", motion)
+    # No step is a jump: none is much larger than those beside it, as a share of the larger area. With auto, what has no
+    # partner is a speck for a moment only.
+    assert np.abs(np.diff(areas, 2)).max() < most * areas.max(), areas.round(1)
 
 
 def test_b_to_8_keeps_two_holes(here):
@@ -90,8 +92,9 @@ def test_an_eye_without_a_partner_shrinks_inside(here):
     assert {j for _, j in eye["dots"]} == {0}
     assert (eye["work"], eye["gap"], eye["sweeps"]) == (0.0, 0.0, 0)
     assert run(["a.svg", "b.svg", "-n", "9", "-o", "out"]) == 0
-    for file in sorted((here / "out").glob("*.svg"))[:-1]:
-        assert _white_islands(pixels(file)) == 1, file
+    islands = [_white_islands(pixels(file)) for file in sorted((here / "out").glob("*.svg"))[:-1]]
+    assert islands[:3] == [1] * 3
+    assert islands == sorted(islands, reverse=True), "it comes back"
 
 
 def test_the_frames_at_the_ends_have_no_contours_of_a_point(here):
@@ -104,9 +107,9 @@ def test_an_animation_has_the_point_a_contour_grows_from(here):
     files(LEAF, EYED)
     assert run(["a.svg", "b.svg", "-o", "moving.svg"]) == 0
     (values,) = re.findall(r'values="(M[^"]*)"', (here / "moving.svg").read_text())
-    start, end = values.split(";")
-    assert start.count("M") == end.count("M") == 2
-    assert len(re.findall(r"[\d.]+", start)) == len(re.findall(r"[\d.]+", end))
+    paths = values.split(";")
+    assert {path.count("M") for path in paths} == {2}
+    assert len({len(re.findall(r"[\d.]+", path)) for path in paths}) == 1
 
 
 def test_a_stroke_that_grows_grows_in_width(here):
