@@ -41,6 +41,9 @@ NEAR_PAD = 12
 DETAILED = 400
 """Minimum number of vertices of a polygon of much detail, which has more paths of nearly the same work."""
 
+MOST_NEAR = 48
+"""Maximum width of that margin, in vertices."""
+
 NEAR_SHARE = 24
 """Number of its vertices for each vertex of that margin, where it has much detail."""
 
@@ -147,7 +150,7 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
     region = corridor(
         np.arange(len(rows)),
         np.stack([rows, rows], axis=1),
-        np.full(len(rows), NEAR_PAD if n < DETAILED else n // NEAR_SHARE),
+        np.full(len(rows), NEAR_PAD if n < DETAILED else min(n // NEAR_SHARE, MOST_NEAR)),
         (m, n) if closed else None,
         inside,
     )
