@@ -6,8 +6,6 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.brushed import with_brushes
-from shapeblend_cli.blending.expanded import with_outlines
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
@@ -17,6 +15,8 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
+from shapeblend_cli.blending.strokes.brushed import with_brushes
+from shapeblend_cli.blending.strokes.expanded import with_outlines
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -209,7 +209,7 @@ def _lines(
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:
     """Give all pairs of a drawing with others the same paths for its pen lines; None if that cannot be."""
-    from shapeblend_cli.blending.several import with_common_lines  # most runs make no mixtures
+    from shapeblend_cli.blending.strokes.several import with_common_lines  # most runs make no mixtures
 
     scale = UNITS / Box.union(list(pairs[0].views)).larger_side
     free = 1 + max(contour.number for contour in a.contours)
@@ -220,7 +220,7 @@ def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Bo
     """Return matched shapes that move, in the order of paint."""
     moving: Sequence[ShapeBlend] = with_reasons(move_shapes(paired, shapes, view), paired)
     if _draws_strokes(paired):
-        from shapeblend_cli.blending.drawn import with_drawn_strokes
+        from shapeblend_cli.blending.strokes.drawn import with_drawn_strokes
 
         moving, places = with_drawn_strokes(paired, moving, places, view)
     return in_paint_order(moving, places)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.blending.brushed import BECOMES, DRAWN_ON
+from shapeblend_cli.blending.strokes.brushed import BECOMES, DRAWN_ON
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.model import Box

@@ -64,7 +64,7 @@ def test_a_blend_imports_nothing_heavy_that_it_does_not_need(samples, tmp_path):
 def test_filled_icons_are_blended_without_what_lines_mixtures_and_other_outputs_need(samples, tmp_path):
     imported = imported_by([samples / "e.svg", samples / "f.svg", "-o", "x.svg"], tmp_path)
     assert imported & {"svgwrite", "coloraide", "numpy.ma", "decimal", "tempfile", "subprocess"} == set()
-    lines = "pens.line_blends pens.moves motion.pen blending.several blending.drawn"
+    lines = "pens.line_blends pens.moves motion.pen blending.strokes.several blending.strokes.drawn"
     others = f"{lines} interpolate.stars job.report svg.writing.css".split()
     assert imported & {f"shapeblend_cli.{other}" for other in others} == set()
 

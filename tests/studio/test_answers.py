@@ -110,7 +110,7 @@ def test_other_blends_that_look_the_same_are_not_offered(here):
     order = Order("others", project_of({"files": ["a.svg", "b.svg"]}, "", ""), {})
     names = {one["name"] for one in answers.do(order)}
     assert {"As it is", "Parts split and join", "B in the frame of A"} <= names
-    assert not {"As in the paper", "Points may go far"} & names  # a line's width off at most
+    assert "Points may go far" not in names  # a line's width off at most
 
 
 @pytest.mark.parametrize(("shift", "is_other"), [(0, False), (1, False), (2, True)])
