@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 import numpy as np
 
 from shapeblend_cli.model.arrays import frozen as frozen
+from shapeblend_cli.model.arrays import unroll as unroll
 from shapeblend_cli.model.box import Box as Box
 from shapeblend_cli.model.drawing import MOST_CONTOURS as MOST_CONTOURS
 from shapeblend_cli.model.drawing import MOST_SEGMENTS as MOST_SEGMENTS
@@ -151,18 +152,6 @@ class Correspondence:
     def gap(self) -> float:
         """Maximum work that another path could save, as a share; 0 if this path is proven to be the best."""
         return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
-
-
-def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
-    """Return (k, 2) dots as positions along both polygons that never fall.
-
-    For closed polygons of `period` vertices, positions continue past the last vertex, and the first dot is repeated at
-    the end: (k + 1, 2).
-    """
-    if period is None:
-        return dots.astype(np.float64)
-    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
-    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
 
 
 class LinePart(NamedTuple):

@@ -38,3 +38,15 @@ def median(values: Any) -> float:
     """Return the median, without the modules that numpy's own loads."""
     rising, count = np.sort(values), len(values)
     return 0.5 * float(rising[(count - 1) // 2] + rising[count // 2])
+
+
+def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
+    """Return (k, 2) dots as positions along both polygons that never fall.
+
+    For closed polygons of `period` vertices, positions continue past the last vertex, and the first dot is repeated at
+    the end: (k + 1, 2).
+    """
+    if period is None:
+        return dots.astype(np.float64)
+    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
+    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
