@@ -69,3 +69,8 @@ def test_what_is_asked_for_comes_first(settings):
 def test_a_body_with_limbs_is_no_handwriting():
     body = "M6 8H18V18H6Z M5 9L2 4L3 3L6 8Z"
     assert all(shape.motion_name != "brush" for shape in blended(body, RING).shapes)
+
+
+def test_outlines_that_were_made_from_each_other_stay_so():
+    pair = blended(S, path(24.0 - letter_s().conj()))
+    assert all(shape.reason != BECOMES for shape in pair.shapes)

@@ -78,6 +78,8 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         return usual
     if not any(shape.taken and shape.taken.wrong >= WRONG for shape in usual):
         return usual
+    if _segments(a) == _segments(b):  # outlines that were made from each other, segment by segment
+        return usual
     thin, thick = sorted(scale * _thickness(drawing) for drawing in (a, b))
     if thick > min(SLENDER, ALIKE * thin) or not (_may_be_brushed(a, scale) and _may_be_brushed(b, scale)):
         return usual
@@ -99,6 +101,11 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         if own < best and is_blend_of((shape,), a, b, view):
             best, usual = own, (shape,)
     return usual
+
+
+def _segments(drawing: PlacedDrawing) -> list[int]:
+    """Return the number of segments of each contour."""
+    return sorted(len(contour.contour.segments) for contour in drawing.contours)
 
 
 def _has_lines(shapes: Shapes) -> bool:
