@@ -55,7 +55,7 @@ def segments_at(shape: ShapeBlend, t: float) -> list[ComplexArray]:
     if shape.motion_name == "sweep":  # it ends at the drawings
         t = min(max(t, 0.0), 1.0)
     if shape.motion is None or t in (0.0, 1.0):
-        every = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in shape.contours]
+        every = [contour.straight(t) for contour in shape.contours]
     else:
         every = shape.motion.segments(shape.contours, t)
     if not 0.0 <= t <= 1.0:  # beyond the point that they become, contours would grow inside out

@@ -228,6 +228,10 @@ class ContourBlend(NamedTuple):
         i, j = self.correspondence.dots.T
         return self.polygon_a.vertices[i], self.polygon_b.vertices[j]
 
+    def straight(self, t: float) -> ComplexArray:
+        """Return the control points at time t on straight paths, eq (2)."""
+        return (1.0 - t) * self.start.segments + t * self.end.segments
+
 
 class Motion(Protocol):
     """The motion of contours that are painted together, from start to end."""

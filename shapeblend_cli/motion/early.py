@@ -125,8 +125,10 @@ class Early(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        straight = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in contours]
-        moved = self.motion.segments(contours, t) if self.motion else straight
+        if self.motion is None:
+            moved = [contour.straight(t) for contour in contours]
+        else:
+            moved = self.motion.segments(contours, t)
         return [self._own(contour, own, t) for contour, own in zip(contours, moved, strict=True)]
 
     def _own(self, contour: ContourBlend, segments: ComplexArray, t: float) -> ComplexArray:

@@ -306,6 +306,5 @@ class Together(NamedTuple):
         found = []
         for contour, pen, (begin, until) in zip(contours, self.pens, self.spans, strict=True):
             own = min(max((t - begin) / (until - begin), 0.0), 1.0)
-            straight = (1.0 - own) * contour.start.segments + own * contour.end.segments
-            found += [straight] if pen is None else pen.segments([contour], own)
+            found += [contour.straight(own)] if pen is None else pen.segments([contour], own)
         return found

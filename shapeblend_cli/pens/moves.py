@@ -424,14 +424,21 @@ def slash_among(a: Sequence[PenLine], b: Sequence[PenLine], kept: float) -> tupl
     return found[0] if len(found) == 1 and kept >= LEAST_KEPT else None
 
 
+def drawn(line: PenLine, points: ComplexArray, *, is_new: bool, is_early: bool = False) -> Move:
+    """Draw a line on from the first of its points, or back to it, beside all others."""
+    pen = Pen((Drawing(points, *((0.0, 1.0) if is_new else (1.0, 0.0))),))
+    reason = DRAWN_ON if is_new else DRAWN_BACK
+    return Move(
+        None if is_new else line, line if is_new else None, pen, reason, is_joined=False, is_early=is_early
+    )
+
+
 def crossing_out(slash: PenLine, moves: Sequence[Move], *, is_new: bool) -> list[Move]:
     """Draw a slash on, or back, and the ends of other lines where it goes, as its tip comes by."""
     points = slash.outline
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
-    drawing = Drawing(points, *((0.0, 1.0) if is_new else (1.0, 0.0)))
-    reason = DRAWN_ON if is_new else DRAWN_BACK
-    own = Move(None if is_new else slash, slash if is_new else None, Pen((drawing,)), reason, is_joined=False)
+    own = drawn(slash, points, is_new=is_new)
     paced = []
     for move in moves:
         tails = [tail and _paced(tail, points, slash.width, is_new=is_new) for tail in move.motion.tails]

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.pen import Drawing, Pen
 from shapeblend_cli.pens.drawings import pen_drawing
 from shapeblend_cli.pens.line import UNITS
-from shapeblend_cli.pens.moves import DRAWN_BACK, DRAWN_ON, Move
+from shapeblend_cli.pens.moves import drawn
 
 if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.model import ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenLine
+    from shapeblend_cli.pens.moves import Move
 
 
 def ring_and_handles(
@@ -39,6 +39,4 @@ def _drawn(line: PenLine, centre: complex, scale: float, here: int) -> Move:
     points = line.points
     if abs(points[0] / scale - centre) > abs(points[-1] / scale - centre):
         points = points[::-1]
-    pen = Pen((Drawing(points, *((0.0, 1.0) if here else (1.0, 0.0))),))
-    a, b = (None, line) if here else (line, None)
-    return Move(a, b, pen, DRAWN_ON if here else DRAWN_BACK, is_joined=False, is_early=True)
+    return drawn(line, points, is_new=bool(here), is_early=True)

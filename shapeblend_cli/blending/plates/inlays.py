@@ -113,7 +113,7 @@ class Inlaid(NamedTuple):
         """Return the control points of each contour at time t."""
         plate = contours[: self.own]
         if self.plate is None:
-            found = [(1.0 - t) * contour.start.segments + t * contour.end.segments for contour in plate]
+            found = [contour.straight(t) for contour in plate]
         else:
             found = self.plate.segments(plate, t)
         return found + [cubics.lines(polygon, closed=True) for polygon in self.holes(t)]

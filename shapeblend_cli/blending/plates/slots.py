@@ -40,19 +40,16 @@ class Parting(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        parts, holes = contours[: self.parts], contours[self.parts :]
+        parts, slots = contours[: self.parts], contours[self.parts :]
         if self.is_joining:
-            own, size = min(1.0, t / (1.0 - CLOSING)), max(0.0, (t - 1.0 + CLOSING) / CLOSING)
+            own, along = min(1.0, t / (1.0 - CLOSING)), max(0.0, (t - 1.0 + CLOSING) / CLOSING)
         else:
-            own, size = max(0.0, (t - CLOSING) / (1.0 - CLOSING)), max(0.0, 1.0 - t / CLOSING)
+            own, along = max(0.0, (t - CLOSING) / (1.0 - CLOSING)), min(1.0, t / CLOSING)
         if self.motion is None:
-            found = [(1.0 - own) * part.start.segments + own * part.end.segments for part in parts]
+            found = [part.straight(own) for part in parts]
         else:
             found = self.motion.segments(parts, own)
-        open_for = size if self.is_joining else 1.0 - size
-        return found + [
-            (1.0 - open_for) * hole.start.segments + open_for * hole.end.segments for hole in holes
-        ]
+        return found + [slot.straight(along) for slot in slots]
 
 
 def with_slots_closed(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -> Shapes:
