@@ -17,10 +17,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from PIL import Image
 
 import shapeblend_cli as sb
-from shapeblend_cli.frames.frames import frame_at
-from shapeblend_cli.grading.grade import NAMES, Grade, grade
-from shapeblend_cli.grading.painting import picture
-from shapeblend_cli.model import Box
+from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.grading.grade import NAMES, Grade
 from shapeblend_cli.options.easing import parse
 from shapeblend_cli.outputs.contact_sheet import contact_sheet
 from shapeblend_cli.outputs.pixels import Size
@@ -31,6 +29,7 @@ if TYPE_CHECKING:
 
 FOLDER, OUT = ROOT / "docs" / "icons", ROOT / "out" / "icons"
 STEPS = 6
+"""Number of steps between the frames of the page, which are those that are graded."""
 
 SHIPS = 1.5
 """Maximum grade of what a designer would ship: nearer to good than to flawed."""
@@ -65,13 +64,9 @@ def pairs_in(folder: Path, only: str | None = None) -> list[dict[str, str]]:
 def drawn(folder: Path, pair: dict[str, str]) -> Transition:
     """Blend a pair, and grade what is seen."""
     blend = sb.blend(folder / pair["a"], folder / pair["b"])
-    times = [k / STEPS for k in range(STEPS + 1)]
+    frames = [blend.frame(k / STEPS).svg for k in range(STEPS + 1)]
     (move,) = blend.pairs
-    view = Box.union(list(move.views))
-    strip = [picture(frame_at(move, t, as_drawn=True).shapes, view) for t in times]
-    return Transition(
-        pair["id"], pair["set"], pair["name"], [blend.frame(t).svg for t in times], grade(strip)
-    )
+    return Transition(pair["id"], pair["set"], pair["name"], frames, grade_of(move))
 
 
 def page(transitions: Iterable[Transition]) -> str:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
-from shapeblend_cli.blending.paced import with_parts_paced
+from shapeblend_cli.blending.paced import KEPT, with_parts_paced
 from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
@@ -17,6 +16,7 @@ from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverte
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import with_outlines
+from shapeblend_cli.blending.swapped import ASKED, are_bent_too_much, is_covered, swapped
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -25,7 +25,7 @@ from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
-from shapeblend_cli.pens.line import UNITS
+from shapeblend_cli.pens.line import UNITS, length
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
@@ -43,6 +43,18 @@ if TYPE_CHECKING:
 ALL = 0.9
 """Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
 
+SOLID = 0.3
+"""Maximum share of the ink of a solid drawing in its lines."""
+
+DETAILED = 4.6
+"""Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
+
+SENT_BACK = 1.5
+"""Minimum grade of such a blend for one drawing to take the other's place."""
+
+UNREADABLE = 1.8
+"""Minimum grade of a blend of two signs, some line of which is bent too much, for one to take the other's place."""
+
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
 
@@ -55,6 +67,8 @@ def blend_shapes(
     Drawings that are mostly drawn with a pen are blended by their lines, above the rest. A drawing that is the other
     one turned, or its mirror image, may turn as a whole.
     """
+    if settings.swap == "always" and not (settings.mix or settings.has_spans):
+        return swapped(a, b, settings, view.centre, ASKED)
     is_named = bool(settings.match or settings.pins or settings.stiff)
     pens = _pens(a, b, settings, view)
     lines = _lines(a, b, pens, settings, view) if is_named else None
@@ -75,7 +89,19 @@ def blend_shapes(
     if not is_named:
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
-    usual = partial(_by_lines_or_outlines, a, b, settings, view, progress, pens, lines)
+
+    def usual() -> Shapes:
+        shapes = _by_lines_or_outlines(a, b, settings, view, progress, pens, lines)
+        may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
+        if (
+            may_swap
+            and pens
+            and (lines is None or lines.kept < KEPT)
+            and _are_too_unlike(a, b, shapes, pens, view)
+        ):
+            return swapped(a, b, settings, view.centre)
+        return shapes
+
     is_all_lines = lines is not None and lines.is_sure and not any(lines.rest)
     if is_named or not _is_free(settings) or is_all_lines:
         return usual()
@@ -154,6 +180,24 @@ def _by_lines_or_outlines(
     plain = paced(outlines, by_size=False), together(by_size=False)
     grades = [grade_of_shapes(shapes, view) for shapes in plain]
     return paced(outlines) if grades[0] < grades[1] - MARGIN else together(by_size=True)
+
+
+def _are_too_unlike(
+    a: PlacedDrawing, b: PlacedDrawing, shapes: Shapes, pens: tuple[PenDrawing, PenDrawing], view: Box
+) -> bool:
+    """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
+    first, last = pens
+    if min(first.share, last.share) >= ALL:
+        if not are_bent_too_much(shapes):
+            return False
+        has_more = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
+        return not has_more and grade_of_shapes(shapes, view) >= UNREADABLE
+    solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
+    strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
+    if not (solids and strokes):
+        return False
+    outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
+    return outlines > DETAILED * view.larger_side and grade_of_shapes(shapes, view) >= SENT_BACK
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.blending.swapped import is_swapped
 from shapeblend_cli.model import Box, Pair
 
 if TYPE_CHECKING:
@@ -21,18 +22,26 @@ FINE = 0.75
 BETTER = 0.2
 """Minimum advantage of another blend over the ordinary one for it to be taken, in grades."""
 
+SWAPPED = 1.0
+"""Grade of drawings that take each other's place: whole and clean, though nothing becomes anything."""
+
 SUSPECT = 0.2
 """Minimum fault of a shape's outlines for a blend to be graded that nobody asked about."""
 
 
 def grade_of(pair: Pair) -> Grade:
-    """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames."""
+    """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames.
+
+    Drawings that take each other's place have a grade of their own: their frames have lost what the judge looks for.
+    """
     # Most blends are not graded.
     from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.frames.outlined import with_outlined_text
-    from shapeblend_cli.grading.grade import grade
+    from shapeblend_cli.grading.grade import Grade, grade
     from shapeblend_cli.grading.painting import picture
 
+    if is_swapped(pair.shapes):
+        return Grade(SWAPPED, None)
     view, pair = Box.union(list(pair.views)), with_outlined_text(pair)
     return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)])
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
+from shapeblend_cli.blending.swapped import is_swapped
 from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
 from shapeblend_cli.job.job import Job, all_targets
 from shapeblend_cli.matching.solve import COMPILED
@@ -146,6 +147,7 @@ def make(
     drawings = read_files(job.files, job.read, clock, note_and_keep, sources, kept)
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     run = Run(pairs, settings, clock)
+    _say_if_swapped(job, run, note_and_keep)
     _say_if_poor(job, run, note_and_keep)
     progress("drawing", 0.0)
     with _named(output.path):
@@ -278,6 +280,16 @@ def match_drawings(
     for text in notes:
         note(text)
     return pairs
+
+
+def _say_if_swapped(job: Job, run: Run, note: Callable[[str], None]) -> None:
+    """Say which drawings are not blended, if nobody asked for that."""
+    if job.output.settings.swap == "always":
+        return
+    for pair in run.pairs:
+        if is_swapped(pair.shapes):
+            files = f"{job.files[pair.a]} and {job.files[pair.b]}"
+            note(f"{files}: too little in common for a blend, so one shrinks and the other grows; see --swap")
 
 
 def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:

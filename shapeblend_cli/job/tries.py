@@ -32,6 +32,8 @@ WAYS: Mapping[str, dict[str, Any]] = {
     "As in the paper": {"preset": "paper"},
     "Lone parts grow from points": {"unmatched": "point"},
     "Parts split and join": {"unmatched": "split"},
+    "One takes the other's place": {"swap": "always"},
+    "Lines bend, however much": {"swap": "never"},
     "B in the frame of A": {"place": "bbox"},
     "Corners bend more easily": {"k_b": 0.3},
     "Points may go far": {"k_t": 0.0},

@@ -220,6 +220,14 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         "into filled shapes, and strokes that meet fills become outlines; recover: every line that can be recovered "
         "moves so; keep: strokes and fills stay as they are in the files.",
     )
+    swap: str = option(
+        types.choice("auto", "never", "always"),
+        default="auto",
+        section=IN_BETWEENS,
+        help="Let the first drawing shrink away, and the second one grow in its place, instead of a blend. auto: icons "
+        "drawn with a pen whose lines have too little in common, such as a gear and a cross. With --match, --pin or "
+        "--stiff, in mixtures, and if shapes have times of their own, drawings are always blended.",
+    )
     viewbox: str = option(
         types.choice("auto", "keep", "grow"),
         default="auto",

@@ -1,0 +1,141 @@
+"""A drawing shrinks away, and the other one grows in its place, as interfaces swap icons that have nothing in common.
+
+The paper's work has no such limit: the least of much work is still the least. But a line that is bent nearly all along
+reads as scrap on its way, however evenly it moves.
+"""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polyline import are_near
+from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.model import Box, ShapeBlend
+from shapeblend_cli.pens.line import evenly
+from shapeblend_cli.pens.splits import COPY
+from shapeblend_cli.wires.contour_blends import grow_from_point
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
+    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath
+    from shapeblend_cli.options.settings import Settings
+    from shapeblend_cli.pens.line import PenLine
+
+    Shapes = tuple[ShapeBlend, ...]
+
+SHARE = 0.55
+"""Share of the time in which a drawing shrinks away, or grows: half way both are small, and neither is gone."""
+
+MOST_BENT = 1.1
+"""Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
+
+WAVY = 2.0 * np.pi
+"""Maximum change of the turns along a line that splits for it to straighten, in radians."""
+
+SAME_LENGTH = 0.95
+"""Minimum ratio of the lengths of an open line that may become its own mirror image, such as a bracket."""
+
+COVERED = 0.6
+"""Minimum share of the lines of a drawing that lies on lines of the other one for both to have enough in common."""
+
+STEP = 0.3
+"""Maximum distance of the points along lines of which it is looked up whether they lie on others, in units."""
+
+FLAT = 0.02
+"""Maximum area of a ring that is pressed flat, as a share of the square of its larger side."""
+
+POINTS = 4
+"""Number of points on each segment between which its directions are compared."""
+
+WHOLE = ("rigid", "flip")
+"""Motions that turn a drawing, or turn it over, without bending its lines."""
+
+SWAPPED = "the drawings have too little in common, so one takes the other's place"
+ASKED = "one drawing takes the other's place, as asked"
+
+
+def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
+    """Return whether a drawing takes the place of the other one."""
+    return bool(shapes) and all(shape.reason in (ASKED, SWAPPED) for shape in shapes)
+
+
+def swapped(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, centre: complex, reason: str = SWAPPED
+) -> Shapes:
+    """Return shapes of A that shrink to a point, below shapes of B that grow from it."""
+
+    def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
+        for number, members in groupby(contours, key=lambda contour: contour.shape):
+            of_shape = list(members)
+            blends = [grow_from_point(contour, centre, of_b=bool(here)) for contour in of_shape]
+            style = of_shape[0].style
+            styles = style, style._replace(stroke_width=0.0)
+            yield ShapeBlend(
+                tuple(map(with_curves, blends) if settings.curves else blends),
+                *(styles[::-1] if here else styles),
+                reason=reason,
+                sources=(None, number) if here else (number, None),
+                span=(1.0 - SHARE, 1.0) if here else (0.0, SHARE),
+            )
+
+    return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
+
+
+def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
+    """Return whether most of some lines lies on others, as a minus does on a plus."""
+    points = np.concatenate([evenly(line.outline, STEP) for line in lines])
+    near = np.any([are_near(points, line.outline, 0.5 * line.width) for line in others], axis=0)
+    return bool(near.mean() > COVERED)
+
+
+def are_bent_too_much(shapes: Shapes) -> bool:
+    """Return whether a stroke is bent so much on its way that nobody sees what it becomes.
+
+    Rings that become rings may bend; one that is pressed flat to become a line may not. Lines that split, as the ring
+    of a play button, may straighten, but for wavy ones.
+    """
+    return any(
+        _bending(contour, WAVY if shape.reason == COPY else 0.0) > MOST_BENT
+        for shape in shapes
+        if shape.style_a.fill is shape.style_b.fill is None and shape.motion_name not in WHOLE
+        for contour in shape.contours
+        if contour.is_matched and not (_is_ring(contour.start) and _is_ring(contour.end))
+    )
+
+
+def _is_ring(path: CubicPath) -> bool:
+    """Return whether a path is closed, and not pressed flat."""
+    size = Box.around(path.segments[:, 0]).larger_side
+    return path.closed and abs(cubics.signed_area(path.segments)) > FLAT * size**2
+
+
+def _bending(contour: ContourBlend, least: float) -> float:
+    """Return the spread of the turns of a line's directions, in radians.
+
+    It is 0 if an open line keeps its length, or if the changes from turn to turn are at most `least` in all.
+    """
+    ends = [_points(path.segments) for path in (contour.start, contour.end)]
+    edges = [np.diff(points) for points in ends]
+    lengths = [np.abs(each).sum() for each in edges]
+    if not contour.start.closed and min(lengths) >= SAME_LENGTH * max(lengths):
+        return 0.0
+    seen = np.minimum(*map(np.abs, edges)) > 1e-9
+    if not seen.any():
+        return 0.0
+    turns = np.unwrap(np.angle(edges[1][seen] / edges[0][seen]))
+    if np.abs(np.diff(turns)).sum() <= least:
+        return 0.0
+    weights = np.abs(edges[0][seen]) / lengths[0] + np.abs(edges[1][seen]) / lengths[1]
+    mean = np.average(turns, weights=weights)
+    return float(np.sqrt(np.average((turns - mean) ** 2, weights=weights)))
+
+
+def _points(segments: ComplexArray) -> ComplexArray:
+    """Return points along a path, `POINTS` for each of its (k, 4) segments, and its end."""
+    return np.append(cubics.evaluate(segments[:, None], np.arange(POINTS) / POINTS), segments[-1, 3])

@@ -1,0 +1,110 @@
+"""Drawings that take each other's place, as they have too little in common."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import shapeblend_cli as sb
+from shapeblend_cli.blending.graded import SWAPPED as GRADE
+from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.blending.swapped import ASKED, SHARE, SWAPPED, is_swapped
+from shapeblend_cli.cli import run
+from shapeblend_cli.interpolate.paths import paths_at
+
+ICONS = Path("docs/icons")
+COPY, CHECK = "copy.svg", "check.svg"
+RELATED = [
+    ("lucide/menu.svg", "lucide/x.svg"),
+    ("lucide/play.svg", "lucide/pause.svg"),
+    ("phosphor/play.svg", "phosphor/pause.svg"),
+    ("lucide/plus.svg", "lucide/check.svg"),
+    ("lucide/log-in.svg", "lucide/log-out.svg"),
+    ("lucide/sun.svg", "lucide/moon.svg"),
+    ("bootstrap/bell.svg", "bootstrap/bell-slash.svg"),
+    ("lucide/search.svg", "lucide/x.svg"),
+]
+CIRCLED = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
+
+
+def blended(a, b, **settings):
+    return sb.blend(ICONS / a, ICONS / b, **settings)
+
+
+@pytest.mark.parametrize("icons", ["lucide", "phosphor", "bootstrap"])
+def test_sheets_that_would_fold_to_a_check_mark_make_room_for_it(icons):
+    blend = blended(f"{icons}/{COPY}", f"{icons}/{CHECK}")
+    (pair,) = blend.pairs
+    assert {shape.reason for shape in pair.shapes} == {SWAPPED}
+    (other,) = blended(f"{icons}/{COPY}", f"{icons}/{CHECK}", swap="never").pairs
+    assert grade_of(pair).number == GRADE < grade_of(other).number
+
+
+@pytest.mark.parametrize(("a", "b"), RELATED)
+def test_icons_that_have_something_in_common_blend(a, b):
+    (pair,) = blended(a, b).pairs
+    assert not any(shape.reason == SWAPPED for shape in pair.shapes)
+
+
+def test_each_drawing_keeps_its_form_and_the_weight_of_its_lines_in_proportion():
+    (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}").pairs
+    centre = pair.views[0].centre
+    for t in (0.1, 0.3, 0.5, 0.7, 0.9):
+        for shape in pair.shapes:
+            is_new = shape.sources[0] is None
+            scale = max(1.0 - (1.0 - t if is_new else t) / SHARE, 0.0)
+            (there,) = paths_at(shape, float(is_new))
+            (here,) = paths_at(shape, t)
+            expected = centre + scale * (there.segments - centre)
+            assert here.segments == pytest.approx(expected, abs=1e-9)
+
+
+def test_both_are_small_half_way_and_neither_is_gone():
+    (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}").pairs
+    sizes = [np.ptp(paths_at(shape, 0.5)[0].segments.real) for shape in pair.shapes]
+    assert all(0.5 < size < 2.5 for size in sizes), "in a view of 24"
+
+
+def test_it_is_told_once_with_the_way_out_and_not_if_asked_for(tmp_path, monkeypatch, capsys):
+    files = [str((ICONS / "lucide" / name).resolve()) for name in (COPY, CHECK)]
+    monkeypatch.chdir(tmp_path)
+    assert run([*files, "-n", "1"]) == 0
+    said = capsys.readouterr().err
+    assert said.count("too little in common") == 1
+    assert "--swap" in said
+    for choice in ("always", "never"):
+        assert run([*files, "-n", "1", "-f", "--swap", choice]) == 0
+        assert capsys.readouterr().err == ""
+
+
+def test_solid_drawings_with_much_detail_make_room_for_a_single_stroke(tmp_path):
+    cart = (
+        '<path d="M17 18a2 2 0 1 1 0 4 2 2 0 0 1 0-4M1 2h3.27l.94 2H20a1 1 0 0 1 1 1c0 .17-.05.34-.12.5l-3.58 6.47c'
+        "-.34.61-1 1.03-1.75 1.03H8.1l-.9 1.63-.03.12a.25.25 0 0 0 .25.25H19v2H7a2 2 0 0 1-2-2c0-.35.09-.68.24-.96"
+        'l1.36-2.45L3 4H1zm6 16a2 2 0 1 1 0 4 2 2 0 0 1 0-4"/>'
+    )
+    (tmp_path / "cart.svg").write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{cart}</svg>'
+    )
+    check = ICONS / "lucide" / CHECK
+    (pair,) = sb.blend(tmp_path / "cart.svg", check).pairs
+    assert is_swapped(pair.shapes)
+    (tmp_path / "disc.svg").write_text(
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24"><path d="{CIRCLED}"/></svg>'
+    )
+    (pair,) = sb.blend(tmp_path / "disc.svg", check).pairs
+    assert not is_swapped(pair.shapes), "a plain disc may bend to a stroke"
+
+
+def test_what_is_named_becomes_what_it_is_to_become():
+    (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}", match=(("0", "0"),)).pairs
+    assert not is_swapped(pair.shapes)
+
+
+def test_anything_can_be_swapped_but_not_mixed_or_staggered():
+    files = "samples/bird-1.svg", "samples/bird-2.svg"
+    (pair,) = sb.blend(*files, swap="always").pairs
+    assert {shape.reason for shape in pair.shapes} == {ASKED}
+    for others in ({"mix": ((0.5, 0.5),)}, {"stagger": 0.5}):
+        (pair,) = sb.blend(*files, swap="always", **others).pairs
+        assert not is_swapped(pair.shapes)
