@@ -15,7 +15,7 @@ from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, withou
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
-from shapeblend_cli.blending.strokes.expanded import with_outlines
+from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import ASKED, are_bent_too_much, is_covered, swapped
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
@@ -26,10 +26,11 @@ from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
 from shapeblend_cli.pens.line import UNITS, length
+from shapeblend_cli.pens.moves import is_slash
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
@@ -82,10 +83,10 @@ def blend_shapes(
         if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
             return _moved(paired, shapes, places, view)
     is_free = settings.strokes != "recover" and not is_star(settings)
-    crossed = crossed_out(a, b, settings) if is_free else []
-    if crossed:
-        paired = pair_drawings(a, b, settings, 0.0, progress, crossed)
-        return _moved(paired, *match_pairs(paired), view)
+    for outlined in _in_outlines(a, b, pens, settings, view) if is_free else ():
+        if crossed := crossed_out(*outlined, settings):
+            paired = pair_drawings(*outlined, settings, 0.0, progress, crossed)
+            return _moved(paired, *match_pairs(paired), view)
     if not is_named:
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
@@ -119,6 +120,21 @@ def blend_shapes(
     shapes = with_gaps_closed(*outlined, settings, view, shapes)
     shapes = with_slots_closed(*outlined, view, shapes)
     return with_brushes(*outlined, settings, view, shapes)
+
+
+def _in_outlines(
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    pens: tuple[PenDrawing, PenDrawing] | None,
+    settings: Settings,
+    view: Box,
+) -> Iterator[tuple[PlacedDrawing, PlacedDrawing]]:
+    """Yield two drawings as they are, and with strokes as outlines if one of these may cross fills out."""
+    yield a, b
+    if pens and any(pen.bodies for pen in pens) and any(is_slash(line) for pen in pens for line in pen.lines):
+        outlined = all_outlines(a, b, settings, view)
+        if outlined is not None:
+            yield outlined
 
 
 def _is_free(settings: Settings) -> bool:

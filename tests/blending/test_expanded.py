@@ -67,3 +67,26 @@ def test_a_stroke_along_the_edge_of_a_fill_follows_it():
     edged = drawing(f'<path d="{box}" fill="#fc0"/>', f'<path d="{box}" fill="none" stroke="#f00"/>')
     pair = blend(drawing("M2 2H10V10H2Z"), edged)
     assert any(contour.follows_edge for contour in pair.contours)
+
+
+LINE = '<path d="{}" fill="none" stroke="#000" stroke-width="2"/>'
+SPEAKER = '<path d="M4 4H20V14H4Z"/>', LINE.format("M3 18.5H21")
+CROSSED_OUT = (
+    '<path d="M6.5 4H20V14H16.5ZM4 6.5V14H11.5Z"/>',
+    LINE.format("M3 18.5H16"),
+    '<path d="M2 2L22 22" fill="none" stroke="#000" stroke-width="1.6"/>',
+)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_stroke_that_crosses_out_fills_and_strokes_opens_its_gap_as_it_is_drawn(backwards):
+    drawings = [drawing(*SPEAKER), drawing(*CROSSED_OUT)]
+    pair = blend(*drawings[:: -1 if backwards else 1])
+    assert {shape.motion_name for shape in pair.shapes} == {"sweep"}
+    plain, crossed, half_way = (
+        picture(pair, abs(t - backwards), as_drawn=t != 0.5)[..., 0] for t in (0.0, 1.0, 0.5)
+    )
+    rows, columns = np.indices(half_way.shape)
+    along = (rows + columns) / sum(half_way.shape)
+    for part, whole in ((along < 0.4, crossed), (along > 0.6, plain)):
+        assert np.abs(half_way - whole)[part].mean() < 0.02 * 255.0

@@ -72,6 +72,20 @@ def with_outlines(
     return sides[0], sides[1]
 
 
+def all_outlines(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box
+) -> tuple[PlacedDrawing, PlacedDrawing] | None:
+    """Expand all strokes of two drawings to outlines, if there are strokes and fills in them; else None."""
+    every = [*a.contours, *b.contours]
+    if not (_paints(every, "stroke") and _paints(every, "fill")):
+        return None
+    scale = UNITS / view.larger_side
+    found = [_expanded(side, settings, scale, 1.0, (), only_closed=False) for side in (a, b)]
+    if any(_paints(side.contours, "stroke") for side in found):
+        return None
+    return found[0], found[1]
+
+
 def _paints(contours: Sequence[PlacedContour], paint: str) -> bool:
     return any(getattr(contour.style, paint) is not None for contour in contours)
 
