@@ -31,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui ends judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui bench-lines ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -164,6 +164,9 @@ bench-judge: install npm ## count the pairs for which the judge chooses the blen
 
 bench-ui: install ## draw and grade the transitions of icons in docs/icons, or in the folder UI, as a page and a table
 	$(BIN)/python -m tools.icons $(UI)
+
+bench-lines: install npm ## recover the pen lines of whole sets of icons, or of those in the folders ICONS
+	$(BIN)/python -m tools.recovery $(ICONS)
 
 FILES ?= samples
 
