@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -16,7 +18,7 @@ from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverte
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
-from shapeblend_cli.blending.swapped import ASKED, are_bent_too_much, is_covered, swapped
+from shapeblend_cli.blending.swapped import ASKED, SENT_BACK, is_covered, least_grade, swapped
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -49,12 +51,6 @@ SOLID = 0.3
 
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
-
-SENT_BACK = 1.5
-"""Minimum grade of such a blend for one drawing to take the other's place."""
-
-UNREADABLE = 1.8
-"""Minimum grade of a blend of two signs, some line of which is bent too much, for one to take the other's place."""
 
 MARGIN = 0.5
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
@@ -204,10 +200,10 @@ def _are_too_unlike(
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
     if min(first.share, last.share) >= ALL:
-        if not are_bent_too_much(shapes):
+        least = least_grade(shapes)
+        if least == np.inf or is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
             return False
-        has_more = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
-        return not has_more and grade_of_shapes(shapes, view) >= UNREADABLE
+        return grade_of_shapes(shapes, view) >= least
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):

@@ -15,7 +15,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import are_near
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
-from shapeblend_cli.pens.line import evenly
+from shapeblend_cli.pens.line import evenly, length
 from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath
+    from shapeblend_cli.model import ComplexArray, ContourBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenLine
 
@@ -34,6 +34,18 @@ SHARE = 0.55
 
 MOST_BENT = 1.1
 """Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
+
+BENT = 0.6
+"""Maximum spread of the turns along a line where much else comes and goes, in radians."""
+
+MOST_ALONE = 0.28
+"""Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
+
+UNREADABLE = 1.8
+"""Minimum grade of a blend of two signs, a line of which is bent too much, for one to take the other's place."""
+
+SENT_BACK = 1.5
+"""Minimum grade of such a blend if the line comes of a ring; or of a solid drawing that shrivels to a stroke."""
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
@@ -94,25 +106,45 @@ def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
     return bool(near.mean() > COVERED)
 
 
-def are_bent_too_much(shapes: Shapes) -> bool:
-    """Return whether a stroke is bent so much on its way that nobody sees what it becomes.
+def least_grade(shapes: Shapes) -> float:
+    """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
 
-    Rings that become rings may bend; one that is pressed flat to become a line may not. Lines that split, as the ring
-    of a play button, may straighten, but for wavy ones.
+    Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
+    the ring of a play button, may straighten, but for wavy ones. Where much comes and goes there must be less bending.
     """
-    return any(
-        _bending(contour, WAVY if shape.reason == COPY else 0.0) > MOST_BENT
-        for shape in shapes
-        if shape.style_a.fill is shape.style_b.fill is None and shape.motion_name not in WHOLE
-        for contour in shape.contours
-        if contour.is_matched and not (_is_ring(contour.start) and _is_ring(contour.end))
-    )
+    bent = 0.0
+    for shape in shapes:
+        if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in WHOLE:
+            continue
+        for contour in filter(_is_matched_line, shape.contours):
+            bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
+            if bending > MOST_BENT and any(_are_rings(contour)):
+                return SENT_BACK
+            bent = max(bent, bending)
+    is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
+    return UNREADABLE if is_unlike else np.inf
 
 
-def _is_ring(path: CubicPath) -> bool:
-    """Return whether a path is closed, and not pressed flat."""
-    size = Box.around(path.segments[:, 0]).larger_side
-    return path.closed and abs(cubics.signed_area(path.segments)) > FLAT * size**2
+def _is_matched_line(contour: ContourBlend) -> bool:
+    return contour.is_matched and not all(_are_rings(contour))
+
+
+def _are_rings(contour: ContourBlend) -> tuple[bool, bool]:
+    """Return whether a contour is closed, and not pressed flat, in A and in B."""
+    sizes = [Box.around(path.segments[:, 0]).larger_side for path in (contour.start, contour.end)]
+    areas = [abs(cubics.signed_area(path.segments)) for path in (contour.start, contour.end)]
+    wide = [area > FLAT * size**2 for area, size in zip(areas, sizes, strict=True)]
+    return contour.contour_a.closed and wide[0], contour.contour_b.closed and wide[1]
+
+
+def _share_alone(shapes: Shapes) -> float:
+    """Return the share of the lengths of the lines of both drawings that has no partner."""
+    alone = whole = 0.0
+    for contour in (contour for shape in shapes for contour in shape.contours):
+        own = sum(length(_points(path.segments)) for path in (contour.start, contour.end))
+        whole += own
+        alone += 0.0 if contour.is_matched else own
+    return alone / whole
 
 
 def _bending(contour: ContourBlend, least: float) -> float:
