@@ -23,7 +23,7 @@ EXAMPLES = (
 )
 
 WITHOUT = (
-    "frames ends motion unmatched start pins stiff match mix times stagger stagger_by timing curves verbose"
+    "frames ends motion unmatched start pins stiff match mix times stagger stagger_by timing swap curves verbose"
 ).split()
 """Settings of motion and of single pairs, which states have no use for."""
 
