@@ -28,7 +28,6 @@ from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
 from shapeblend_cli.pens.line import UNITS, length
-from shapeblend_cli.pens.moves import is_slash
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
@@ -127,7 +126,11 @@ def _in_outlines(
 ) -> Iterator[tuple[PlacedDrawing, PlacedDrawing]]:
     """Yield two drawings as they are, and with strokes as outlines if one of these may cross fills out."""
     yield a, b
-    if pens and any(pen.bodies for pen in pens) and any(is_slash(line) for pen in pens for line in pen.lines):
+    if pens is None or not any(pen.bodies for pen in pens):
+        return
+    from shapeblend_cli.pens.moves import is_slash  # many drawings have no lines
+
+    if any(is_slash(line) for pen in pens for line in pen.lines):
         outlined = all_outlines(a, b, settings, view)
         if outlined is not None:
             yield outlined

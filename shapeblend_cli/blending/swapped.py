@@ -16,7 +16,6 @@ from shapeblend_cli.geometry.polyline import are_near
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.pens.line import evenly, length
-from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
@@ -112,6 +111,8 @@ def least_grade(shapes: Shapes) -> float:
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
     the ring of a play button, may straighten, but for wavy ones. Where much comes and goes there must be less bending.
     """
+    from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
+
     bent = 0.0
     for shape in shapes:
         if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in WHOLE:
