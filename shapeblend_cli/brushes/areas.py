@@ -61,14 +61,10 @@ class Region:
         return 0.5 * float((self.starts.conj() * self.ends).imag.sum())
 
     @property
-    def perimeter(self) -> float:
-        """The length of its outlines."""
-        return float(np.abs(self.ends - self.starts).sum())
-
-    @property
     def thickness(self) -> float:
         """Its mean thickness, if it is slender."""
-        return 2.0 * self.area / max(self.perimeter, 1e-12)
+        perimeter = float(np.abs(self.ends - self.starts).sum())
+        return 2.0 * self.area / max(perimeter, 1e-12)
 
     def grid(self, step: float) -> tuple[complex, BoolArray]:
         """Return the corner of a grid around the region, and which of its points are inside."""

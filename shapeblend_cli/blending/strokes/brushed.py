@@ -80,7 +80,8 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         return usual
     if _segments(a) == _segments(b):  # outlines that were made from each other, segment by segment
         return usual
-    thin, thick = sorted(scale * _thickness(drawing) for drawing in (a, b))
+    thicknesses = [scale * _thickness(drawing) for drawing in (a, b)]
+    thin, thick = sorted(thicknesses)
     if thick > min(SLENDER, ALIKE * thin) or not (_may_be_brushed(a, scale) and _may_be_brushed(b, scale)):
         return usual
     grade = grade_of_shapes(usual, view)
@@ -88,7 +89,7 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         return usual
     from shapeblend_cli.brushes.stroke_blends import matched  # few drawings are handwriting
 
-    brushes = _brushes(a, scale), _brushes(b, scale)
+    brushes = _brushes(a, thicknesses[0], scale), _brushes(b, thicknesses[1], scale)
     if brushes[0] is None or brushes[1] is None:
         return usual
     best = grade - BETTER
@@ -148,14 +149,13 @@ def _regions(drawing: PlacedDrawing, scale: float) -> list[Region]:
     return regions
 
 
-def _brushes(drawing: PlacedDrawing, scale: float) -> list[Brush] | None:
-    """Return the strokes of a drawing; None if it is more than strokes."""
+def _brushes(drawing: PlacedDrawing, thickness: float, scale: float) -> list[Brush] | None:
+    """Return the strokes of a drawing of a mean thickness, in units; None if it is more than strokes."""
     from shapeblend_cli.brushes.sides import brushes_of
     from shapeblend_cli.brushes.strokes import strokes_of
 
     regions = _regions(drawing, scale)
     area = sum(region.area for region in regions)
-    thickness = 2.0 * area / sum(region.perimeter for region in regions)
     found: list[Brush] = []
     for region in regions:
         brushes = brushes_of(region, strokes_of(region))
