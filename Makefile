@@ -31,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-judge bench-ui bench-lines ends judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-ui bench-lines ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -158,9 +158,6 @@ bench-faces: install npm ## count the eyes that become eyes on the same side, an
 judge-weights: install ## fit the weights of `shapeblend judge` to graded strips, and write docs/judge.md
 	$(BIN)/python -m tools.grading
 	$(BIN)/ruff format -q shapeblend_cli/grading/weights.py
-
-bench-judge: install npm ## count the pairs for which the judge chooses the blend that was graded best by eye
-	$(BIN)/python -m tools.quality judge --print
 
 bench-ui: install ## draw and grade the transitions of icons in docs/icons, or in the folder UI, as a page and a table
 	$(BIN)/python -m tools.icons $(UI)

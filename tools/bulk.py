@@ -24,7 +24,6 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from tools.quality.judge.pairs import VARIANTS
 from tools.quality.npm import icon_file, icon_set, install
 
 JOBS = 2000
@@ -34,6 +33,8 @@ COSTS = 60
 """Jobs whose time is taken."""
 
 PACKAGE, LONGEST = "material-symbols", 400  # characters of a plain icon
+VARIANTS = ("-rounded", "-sharp", "-outline")
+"""The same icons again in another style, by how their names end."""
 COMMAND = [sys.executable, "-m", "shapeblend_cli"]
 BATCH = [*COMMAND, "batch", "--chain", "in", "-q"]
 
@@ -46,7 +47,7 @@ def draw(count: int, folder: Path) -> None:
     names = [
         name
         for name in sorted(known["icons"])
-        if not name.endswith(VARIANTS[PACKAGE])
+        if not name.endswith(VARIANTS)
         and known["icons"][name]["body"].count("<") == 1
         and len(known["icons"][name]["body"]) < LONGEST
     ]

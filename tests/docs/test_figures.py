@@ -11,8 +11,6 @@ from tools.quality import __main__ as quality
 from tools.quality import crossings, raw, times
 from tools.quality.data import ROOT, SETS, icon_pairs, subpaths
 from tools.quality.faces import section as faces
-from tools.quality.judge import pairs
-from tools.quality.judge import section as judge
 from tools.quality.morphs import articulated, make
 from tools.quality.peers import ALL, LIBRARIES, flubber, kute, shapeblend
 from tools.quality.scores import STEPS, Score
@@ -29,7 +27,7 @@ ANEW = (shapeblend.NAME, flubber.NAME)
 
 EVERY = {"single": 20, "whole": 10}
 EVERY_TRUTH = dict(zip(truth.KINDS, (10, 8, 13, 8, 10, 2), strict=True))
-EVERY_GRADED, EVERY_FACE = 20, 8
+EVERY_FACE = 8
 """One pair in so many is measured anew."""
 
 
@@ -71,19 +69,6 @@ def test_letters_limbs_and_morphs_measured_anew(kind, tool, truths):
     numbers = range(0, len(every), EVERY_TRUTH[kind])
     scores = truth.scored(TOOLS[tool], [every[k] for k in numbers])
     same(Nearness, scores, told["scores"][tool], numbers)
-
-
-@pytest.mark.parametrize("seed", judge.SEEDS)
-def test_the_judge_measured_anew(seed):
-    require("fonts, icons and animations")
-    told, every = FOUND["judge"][str(seed)], judge.graded(seed)
-    assert told["pairs"] == [" ".join(one.pair) for one in every]
-    drawn = iter(pairs.picked(seed, judge.SEEDS[seed]))
-    assert all(one.pair in drawn for one in every)  # in the order in which they were drawn
-    for k in range(0, len(every), EVERY_GRADED):
-        found = judge.measure(every[k])
-        assert found.numbers == pytest.approx({n: c[k] for n, c in told["numbers"].items()}, abs=2e-3)
-        assert found.taken == told["taken"][k]
 
 
 def test_faces_measured_anew(monkeypatch):

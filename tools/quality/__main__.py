@@ -2,7 +2,7 @@
 
 The scores go into docs/quality.json, where those of sections that are not named stay; docs/quality.md and the README's
 figures are made from that file. With `--again` nothing is measured, and the documents are made anew. With `--print`
-the tables are printed and nothing is written; `--wrong` adds each pair of faces or of graded icons that is not right.
+the tables are printed and nothing is written; `--wrong` adds each pair of faces that is not right.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any
 from tools.quality import crossings, raw, tables, times
 from tools.quality.data import ROOT
 from tools.quality.faces import section as faces
-from tools.quality.judge import section as judge
 from tools.quality.peers import ALL, ready
 from tools.quality.truth import section as truth
 
@@ -27,7 +26,6 @@ README, QUALITY, RAW = "README.md", "docs/quality.md", "docs/quality.json"
 MEASURES: dict[str, Any] = {
     "truth": truth,
     "faces": faces,
-    "judge": judge,
     "icons": crossings,
     "times": times,
 }
