@@ -224,11 +224,6 @@ def _plain(rays: _Rays, sides: Sequence[ComplexArray], stroke: Stroke) -> tuple[
     for k in np.flatnonzero(is_odd).tolist():
         reach = int(np.ceil(BESIDE * rays.radius[k] / max(step, 1e-9)))
         is_changed[max(0, k - reach) : k + reach + 1] = True
-    for end in (0, 1):
-        if stroke.is_free[end]:  # what is odd there is the shape of its end
-            order = slice(None, None, -1 if end else 1)
-            known = np.append(is_changed[order], False)
-            is_changed[order][: int((~known).argmax())] = False
     if is_changed.all():
         return sides[0], sides[1]
     found = []

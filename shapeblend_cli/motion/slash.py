@@ -65,9 +65,6 @@ REACH = 1.6
 LEAST_LEFT = 0.2
 """Minimum share of the drawing that is further away."""
 
-LEAST_CHANGE = 0.5
-"""Minimum area that changes along a slash, as a share of the slash's: less is a corner cut off."""
-
 LEAST_SIDE = 0.04
 """Minimum share of the drawing on each side of the slash and its gap."""
 
@@ -180,8 +177,6 @@ def _is_crossed_out(before: BoolArray, after: BoolArray, least: float, most: flo
         near[max(0, top - reach) : bottom + reach] = True
         slash[max(0, top - SLIVER) : bottom + SLIVER, max(0, first - reach) : last + reach] = True
         whole, added, removed = before.sum(), _opened(after & ~before), _opened(before & ~after)
-        if (added & slash).sum() + (removed & near).sum() < LEAST_CHANGE * thickness * (last - first):
-            continue
         stray = (added & ~slash).sum() + (removed & ~near).sum()
         left = before[: max(0, top - reach)].sum(), before[bottom + reach :].sum()
         is_across = min(left) > LEAST_SIDE * whole and sum(left) > LEAST_LEFT * whole

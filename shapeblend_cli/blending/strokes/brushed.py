@@ -40,12 +40,6 @@ ALIKE = 2.0
 WIDEST = 0.3 * UNITS
 """Maximum width of a brush stroke, in units."""
 
-SHORTEST = 2.5
-"""Minimum length of the strokes of a part of a drawing, in widths of the widest, if it is no dot."""
-
-DOT = 0.25
-"""Maximum area of a dot, as a share of that of the drawing."""
-
 UNEVEN = 2.3
 """Maximum width of the widest stroke, in mean thicknesses of a drawing: a body with limbs is wider."""
 
@@ -154,16 +148,11 @@ def _brushes(drawing: PlacedDrawing, thickness: float, scale: float) -> list[Bru
     from shapeblend_cli.brushes.sides import brushes_of
     from shapeblend_cli.brushes.strokes import strokes_of
 
-    regions = _regions(drawing, scale)
-    area = sum(region.area for region in regions)
     found: list[Brush] = []
-    for region in regions:
+    for region in _regions(drawing, scale):
         brushes = brushes_of(region, strokes_of(region))
         widest = max((2.0 * float(region.distances(brush.points).max()) for brush in brushes), default=0.0)
-        whole = sum(length(brush.points) for brush in brushes)
         if widest > min(WIDEST, UNEVEN * thickness) or len(region.rings) > 1 + MOST_HOLES:
-            return None
-        if whole < SHORTEST * widest and region.area > DOT * area:
             return None
         found += brushes
     return found if 0 < len(found) <= MOST_STROKES else None
