@@ -34,7 +34,7 @@ def view_of(
     if viewbox is None:
         return _with_margin(painted)
     is_shown = own and viewbox.overlaps(painted)
-    if keeping == "keep" or (keeping == "auto" and is_shown) or _is_inside(painted, viewbox):
+    if keeping == "keep" or (keeping == "auto" and is_shown) or _overhang(painted, viewbox) <= SLACK:
         return viewbox
     return Box.union([viewbox, _with_margin(painted)])
 
@@ -83,10 +83,6 @@ def _painted(paths: Sequence[CubicPath], *styles: Style) -> Box:
 
 def _with_margin(painted: Box) -> Box:
     return painted.expanded(MARGIN * painted.larger_side)
-
-
-def _is_inside(painted: Box, view: Box) -> bool:
-    return _overhang(painted, view) <= SLACK
 
 
 def _overhang(painted: Box, view: Box) -> float:

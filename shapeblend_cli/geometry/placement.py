@@ -27,14 +27,13 @@ def place_over(a: Drawing, b: Drawing, place: str) -> Similarity:
         return Similarity()
     if place == "bbox":
         return fit_box(_bounds(b), _bounds(a))
-    if a.viewbox and b.viewbox and _share_a_side(a.viewbox, b.viewbox):
+    if (
+        a.viewbox
+        and b.viewbox
+        and (a.viewbox.width == b.viewbox.width or a.viewbox.height == b.viewbox.height)
+    ):
         return Similarity(1.0, a.viewbox.centre - b.viewbox.centre)
     return fit_box(b.viewbox or _bounds(b), a.viewbox or _bounds(a))
-
-
-def _share_a_side(a: Box, b: Box) -> bool:
-    """Return whether two boxes are as wide or as high."""
-    return a.width == b.width or a.height == b.height
 
 
 def fit_box(box: Box, into: Box) -> Similarity:

@@ -154,7 +154,7 @@ def _selected(file: str, ids: Sequence[str], note: Callable[[str], None]) -> Sel
     except OSError as error:
         raise unreadable(file, error, "SVG file") from None
     every = read(file, data)
-    pins = _pin_shapes(every)
+    pins = [shape for shape in every.shapes if shape.name.label and _PIN.fullmatch(shape.name.label)]
     document = Document.of(data)
     numbers = []
     for name in dict.fromkeys(ids):
@@ -218,10 +218,6 @@ def _pairs(drawings: Sequence[Drawing], file: str) -> tuple[tuple[str, str], ...
 
 def _parts(ids: Sequence[str]) -> str:
     return "one part" if len(ids) == 1 else f"{len(ids) or 'no'} parts"
-
-
-def _pin_shapes(drawing: Drawing) -> list[Shape]:
-    return [shape for shape in drawing.shapes if shape.name.label and _PIN.fullmatch(shape.name.label)]
 
 
 def _pins(shapes: Sequence[Shape], drawings: Sequence[Drawing], file: str) -> tuple[Pin, ...]:

@@ -104,7 +104,7 @@ def paint_the_same(one: Sequence[Contour], other: Sequence[Contour]) -> bool:
 
 def _framed(*drawings: Sequence[Contour]) -> tuple[list[tuple[ComplexArray, ComplexArray]], complex, float]:
     """Return the edges of drawings, and the centre and the side of a square that holds them however it is turned."""
-    edges = [_edges(contours) for contours in drawings]
+    edges = [ring_edges([cubics.polyline(each.segments, CURVE_POINTS) for each in side]) for side in drawings]
     points = np.concatenate([starts for starts, _ in edges])
     corners = complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
     centre = sum(corners) / 2.0
@@ -120,11 +120,6 @@ def _rasters(
         winding_grid((starts - centre) * back, (ends - centre) * back, corner, side / GRID, GRID) != 0
         for starts, ends in edges
     ]
-
-
-def _edges(contours: Sequence[Contour]) -> tuple[ComplexArray, ComplexArray]:
-    """Return the starts and ends of the edges of outlines."""
-    return ring_edges([cubics.polyline(each.segments, CURVE_POINTS) for each in contours])
 
 
 def _slanted_chords(contours: Sequence[Contour]) -> ComplexArray:

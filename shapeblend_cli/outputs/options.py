@@ -181,11 +181,6 @@ class OutputOptions(Record, section=PICTURES):
     )
 
 
-def _check_lossless(options: OutputOptions, format: Format, asked: str) -> None:
-    if options.lossless and format.name != "webp":
-        raise OptionError(f"--lossless is for WebP, a name ending in .webp, not for {asked}")
-
-
 def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> OutputSpec:
     """Choose the format that is asked for, check the options, and fill in the defaults of the format.
 
@@ -215,7 +210,8 @@ def specify(options: OutputOptions, settings: Settings, drawings: int = 2) -> Ou
             )
     if settings.times and not format.takes_times:
         raise OptionError(f"--times is for a folder of frames, a contact sheet or layers, not for {asked}")
-    _check_lossless(options, format, asked)
+    if options.lossless and format.name != "webp":
+        raise OptionError(f"--lossless is for WebP, a name ending in .webp, not for {asked}")
     if settings.mix:
         _check_mix(options, settings, format, asked)
     if not options.trigger.is_load:

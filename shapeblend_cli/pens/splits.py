@@ -78,9 +78,8 @@ def _source(
         like = own[partners[0]]
         if not is_like(like, line, SAME_SIZE) or is_like(others[k], line, SAME_SIZE):
             continue
-        away = [
-            abs(_centre(line) - _centre(own[j])) for j in (partners[0], *_others_like(line, side, own, twice))
-        ]
+        others_like = [j for s, j in twice if s == side and is_like(own[j], line, SAME_SIZE)]
+        away = [abs(_centre(line) - _centre(own[j])) for j in (partners[0], *others_like)]
         if others[k].length < 2.0 * others[k].width or sum(each < away[0] + 0.5 for each in away) > 2:
             continue  # too short to be cut, or as near to another one that is like it: the middle of three goes alone
         halves = best_halves(others[k], [like, line])
@@ -89,13 +88,6 @@ def _source(
         if gain > best[0]:
             best = gain, (other_side, k)
     return best[1]
-
-
-def _others_like(
-    line: PenLine, side: int, own: Sequence[PenLine], twice: dict[tuple[int, int], list[int]]
-) -> list[int]:
-    """Return the numbers of the lines like one that have a partner."""
-    return [k for s, k in twice if s == side and is_like(own[k], line, SAME_SIZE)]
 
 
 def splitting(line: PenLine, targets: Sequence[PenLine], *, joins: bool) -> list[Move]:

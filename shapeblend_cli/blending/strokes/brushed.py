@@ -68,7 +68,9 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     The drawings are plain, see `plates.inverted.is_plain`.
     """
     scale = UNITS / view.larger_side
-    if settings.strokes != "auto" or not wants_lines(settings) or _has_lines(usual):
+    if settings.strokes != "auto" or not wants_lines(settings):
+        return usual
+    if any(style.stroke is not None for shape in usual for style in (shape.style_a, shape.style_b)):
         return usual
     if not any(shape.taken and shape.taken.wrong >= WRONG for shape in usual):
         return usual
@@ -101,11 +103,6 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
 def _segments(drawing: PlacedDrawing) -> list[int]:
     """Return the number of segments of each contour."""
     return sorted(len(contour.contour.segments) for contour in drawing.contours)
-
-
-def _has_lines(shapes: Shapes) -> bool:
-    """Return whether a blend has strokes of a constant width."""
-    return any(style.stroke is not None for shape in shapes for style in (shape.style_a, shape.style_b))
 
 
 def _may_be_brushed(drawing: PlacedDrawing, scale: float) -> bool:

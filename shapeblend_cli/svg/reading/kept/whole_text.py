@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.svg.effects.layers import Drawn
-    from shapeblend_cli.svg.reading.fonts import Fonts, Wanted
+    from shapeblend_cli.svg.reading.fonts import Fonts
     from shapeblend_cli.svg.reading.text import Letter, Span, Text
     from shapeblend_cli.svg.xml.transforms import Affine
 
@@ -66,7 +66,7 @@ def words_of(text: Text, letters: Sequence[Letter], fonts: Fonts) -> Words | Non
     runs = _runs(text)
     if runs is None:
         return None
-    faces = tuple(dict.fromkeys(rule for span in used for rule in fonts.rules(_wanted(span))))
+    faces = tuple(dict.fromkeys(rule for span in used for rule in fonts.rules(style_of(span).wanted)))
     box = control_box([path for own in paths for path in own])
     if not (box.width > 0.0 and box.height > 0.0):
         return None
@@ -111,10 +111,6 @@ def _common(span: Span) -> tuple[str, str]:
     return ("rtl" if direction == "rtl" else "ltr"), (
         "auto" if not baseline.replace("-", "").isalpha() else baseline
     )
-
-
-def _wanted(span: Span) -> Wanted:
-    return style_of(span).wanted
 
 
 def _runs(text: Text) -> tuple[TextRun, ...] | None:
