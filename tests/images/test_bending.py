@@ -72,10 +72,10 @@ def test_affine_maps_are_exact(name, kind, rng):
 
 
 def test_no_triangle_turns_over_at_any_time(monkeypatch):
-    """In fifty pairs of outlines, at 25 times each; the outline itself stays where it is."""
+    """In sixteen pairs of outlines, at 25 times each; the outline itself stays where it is."""
     monkeypatch.setattr(bending_module, "INNER", 25)
     laid_out = 0
-    for seed in range(50):
+    for seed in range(16):
         rng = np.random.default_rng(seed)
         a, b = bumpy(rng, 36), bumpy(rng, 36) * np.exp(1j * rng.uniform(-1, 1))
         bending = Bending(a, b, between(a, b))
@@ -85,7 +85,7 @@ def test_no_triangle_turns_over_at_any_time(monkeypatch):
             assert doubled_areas(mesh.points, mesh.triangles).min() > 0.0, (seed, t)
             for ends, end in ((mesh.points, outline), (mesh.in_a, a), (mesh.in_b, b)):
                 assert np.abs(ends[: len(outline)] - end).max() < 1e-12
-    assert 0 < laid_out < 50  # both ways are tried
+    assert 0 < laid_out < 16  # both ways are tried
 
 
 def test_a_spiral_is_bent_straight():
