@@ -247,4 +247,4 @@ def calls(count, capsys):
 
 def test_a_row_among_many_is_planned_by_as_much_work_as_among_few(drawings, capsys):
     planned(20, capsys)
-    assert calls(2_000, capsys) < 12 * calls(200, capsys)
+    assert calls(1_000, capsys) < 6 * calls(200, capsys)

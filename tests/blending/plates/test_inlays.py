@@ -1,5 +1,7 @@
 """Lines cut out of plates."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -24,6 +26,7 @@ PAIRS = [(PLUS, CHECK), (CROSS, CHECK), (BARS, CROSS), (PLUS, "M6 11H18V13H6Z"),
 POINTS = Box(0, 0, 24, 24).grid(97) + 0.01 + 0.013j
 
 
+@cache
 def pair_of(a, b, plates=(PLATE, PLATE), **settings):
     paths = (f'<path fill-rule="evenodd" d="{p} {d}"/>' for p, d in zip(plates, (a, b), strict=True))
     (pair,), _ = match_all([drawing(path) for path in paths], Settings(**settings))
