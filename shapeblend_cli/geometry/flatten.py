@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import distinct
 from shapeblend_cli.model import Contour, Polygon
-from shapeblend_cli.model.arrays import rolled
+from shapeblend_cli.model.arrays import numbered, rolled
 
 if TYPE_CHECKING:
     from collections.abc import Hashable
@@ -101,7 +101,7 @@ def _vertices(contour: Contour, vertices: int, size: float) -> tuple[IntArray, F
             break
         parts = np.ceil(np.sqrt(np.maximum(deviation / tolerance, 1.0))).astype(np.intp)
         following = np.append(np.where(segment[1:] == segment[:-1], share[1:], 1.0), 1.0)
-        share = np.repeat(share, parts) + _numbered(parts) * np.repeat((following - share) / parts, parts)
+        share = np.repeat(share, parts) + numbered(parts) * np.repeat((following - share) / parts, parts)
         segment = np.repeat(segment, parts)
         parameter, deviation = _measure(contour, ladders, segment, share)
     return segment, parameter
@@ -134,12 +134,7 @@ def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
     """Return the segment of each piece, and the share of the segment's length at which it begins."""
     segment = np.repeat(np.arange(len(counts)), counts)
-    return segment, _numbered(counts) / counts[segment]
-
-
-def _numbered(counts: IntArray) -> IntArray:
-    """Return numbers from 0 for each of several runs of these lengths."""
-    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    return segment, numbered(counts) / counts[segment]
 
 
 def _measure(

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.model.arrays import numbered
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -58,7 +60,7 @@ def _line(path: CubicPath, scale: float) -> ComplexArray:
     counts = np.ceil(np.sqrt(0.75 * scale * bends / TOLERANCE))
     counts = np.clip(np.where(path.straight, 1.0, counts), 1, MOST_CHORDS).astype(int)
     numbers = np.repeat(np.arange(len(segments)), counts)
-    t = (np.arange(len(numbers)) - np.repeat(np.cumsum(counts) - counts, counts)) / counts[numbers]
+    t = numbered(counts) / counts[numbers]
     s, (a, b, c, d) = 1.0 - t, segments[numbers].T
     points = s**3 * a + 3.0 * s * s * t * b + 3.0 * s * t * t * c + t**3 * d
     return np.append(points, segments[-1, 3])
@@ -77,7 +79,7 @@ def _covered(lines: Sequence[ComplexArray], rule: str, width: int, height: int) 
         parts = _covered(lines, rule, width, half), _covered(lower, rule, width, height - half)
         return np.concatenate(parts)
     edge = np.repeat(np.arange(len(starts)), counts)
-    line = np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts) + first[edge]
+    line = numbered(counts) + first[edge]
     slope = (ends.real - starts.real) / np.where(ends.imag == starts.imag, 1.0, ends.imag - starts.imag)
     x = starts.real[edge] + ((line + 0.5) / LINES - starts.imag[edge]) * slope[edge]
     order = np.lexsort((x, line))

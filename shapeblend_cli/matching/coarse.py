@@ -21,6 +21,7 @@ from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.graph import Graph, Path
 from shapeblend_cli.matching.tables import Window
 from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.model.arrays import numbered
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -285,7 +286,7 @@ def thin(vertices: ComplexArray, closed: bool, keep: set[int]) -> FloatArray:
     stops = np.array([*sorted(fixed), m] if closed else sorted(fixed))
 
     pieces = np.maximum(np.round(np.diff(stops) / FACTOR).astype(np.intp), 1)
-    part = np.arange(pieces.sum()) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    part = numbered(pieces)
     start, end = np.repeat(stops[:-1], pieces), np.repeat(stops[1:], pieces)
     at = start + (end - start) * part / np.repeat(pieces, pieces)
     return at if closed else np.append(at, m - 1.0)

@@ -34,6 +34,15 @@ def rolled(values: Any, by: int) -> Any:
     return np.concatenate([values[first:], values[:first]])
 
 
+def numbered(counts: IntArray) -> IntArray:
+    """Return numbers from 0 for each of several runs of these lengths.
+
+    >>> numbered(np.array([2, 3])).tolist()
+    [0, 1, 0, 1, 2]
+    """
+    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
 def median(values: Any) -> float:
     """Return the median, without the modules that numpy's own loads."""
     rising, count = np.sort(values), len(values)

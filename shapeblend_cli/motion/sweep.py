@@ -10,6 +10,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.model import Contour
+from shapeblend_cli.model.arrays import numbered
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,7 +59,7 @@ class Window(NamedTuple):
         slant = np.minimum(np.ptp(turned.real, axis=1), np.ptp(turned.imag, axis=1))
         counts = np.maximum(np.ceil(slant / step), 1).astype(np.intp)
         numbers = np.repeat(np.arange(len(counts)), counts)
-        within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        within = numbered(counts)
         starts, ends = within / counts[numbers], (within + 1) / counts[numbers]
         return Contour(
             cubics.pieces(loop.segments[numbers], starts, ends), loop.straight[numbers], closed=True

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, points_at
+from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -81,6 +82,11 @@ class PenLine(NamedTuple):
     def length(self) -> float:
         """Its length, in units."""
         return length(self.outline)
+
+    @property
+    def centre(self) -> complex:
+        """The centre of the box around it."""
+        return Box.around(self.points).centre
 
     @property
     def reach(self) -> float:

@@ -10,7 +10,6 @@ import numpy as np
 
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import cumulative_lengths
-from shapeblend_cli.model import Box
 from shapeblend_cli.pens.line import at, corners, evenly, length, part_of
 
 if TYPE_CHECKING:
@@ -246,8 +245,8 @@ def _halves(line: PenLine, targets: Sequence[PenLine]) -> Iterator[tuple[Complex
         yield line.part(0.0, whole / 2.0), line.part(whole / 2.0, whole)
         return
     points = line.outline
-    way = _centre(targets[1]) - _centre(targets[0])
-    ahead = ((points - _centre(line)) * way.conjugate()).real
+    way = targets[1].centre - targets[0].centre
+    ahead = ((points - line.centre) * way.conjugate()).real
     before = np.flatnonzero((ahead[:-1] > 0.0) != (ahead[1:] > 0.0))
     along = cumulative_lengths(points)
     shares = ahead[before] / (ahead[before] - ahead[before + 1])
@@ -278,7 +277,7 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
     ring = target.part(0.0, 0.0)
     # Of a straight side that faces the cut, the middle.
     facing = np.linspace(0.0, whole, FACING + 1)[:-1]
-    reach = ((at(ring, facing) - _centre(target)) * way.conjugate()).real
+    reach = ((at(ring, facing) - target.centre) * way.conjugate()).real
     far = facing[reach > reach.max() - LEVEL * np.ptp(reach)]
     if len(far) >= STRAIGHT_SIDE * FACING:  # it is drawn on from its corners, half of their rounding with it
         share = float((reach > reach.max() - ROUNDING * np.ptp(reach)).mean())
@@ -296,7 +295,3 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
     work, rest, tails = min(tries, key=lambda each: each[0])
     mean = (length(piece) + whole) / 2.0
     return Half(mean * work + 0.3 * abs(length(piece) - length(rest)), piece, piece, rest, tails)
-
-
-def _centre(line: PenLine) -> complex:
-    return Box.around(line.points).centre

@@ -10,7 +10,7 @@ import numpy as np
 from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
-from shapeblend_cli.geometry.polyline import nearest_places, needed
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, needed
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import (
@@ -274,15 +274,12 @@ def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple
     if min(sizes) < 1e-6:
         line = np.linspace(0.0, 1.0, max(len(a), len(b)))
         long = a if sizes[0] >= sizes[1] else b
-        shares = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(long)))]) / max(length(long), 1e-12)
+        shares = cumulative_lengths(long) / max(length(long), 1e-12)
         shares = shares if length(long) > 1e-9 else line
         return at(a, shares * sizes[0]), at(b, shares * sizes[1])
     bends = (corners(a), corners(b)) if by_corners else ([], [])
     knots = matched_corners(*bends)
-    own = [
-        np.concatenate([[0.0], np.cumsum(np.abs(np.diff(each)))]) / size
-        for each, size in zip((a, b), sizes, strict=True)
-    ]
+    own = [cumulative_lengths(each) / size for each, size in zip((a, b), sizes, strict=True)]
     tries = []
     for x, y in {(tuple(knots[0]), tuple(knots[1])), ((0.0, 1.0), (0.0, 1.0))}:
         shares = each_once(np.concatenate([own[0], np.interp(own[1], y, x), np.linspace(0.0, 1.0, 25)]))

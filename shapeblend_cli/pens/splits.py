@@ -79,7 +79,7 @@ def _source(
         if not is_like(like, line, SAME_SIZE) or is_like(others[k], line, SAME_SIZE):
             continue
         others_like = [j for s, j in twice if s == side and is_like(own[j], line, SAME_SIZE)]
-        away = [abs(_centre(line) - _centre(own[j])) for j in (partners[0], *others_like)]
+        away = [abs(line.centre - own[j].centre) for j in (partners[0], *others_like)]
         if others[k].length < 2.0 * others[k].width or sum(each < away[0] + 0.5 for each in away) > 2:
             continue  # too short to be cut, or as near to another one that is like it: the middle of three goes alone
         halves = best_halves(others[k], [like, line])
@@ -130,7 +130,7 @@ def _copy(line: PenLine, side: int, moves: Sequence[Move]) -> Move | None:
     ]
     if not like:
         return None
-    _, other = min(like, key=lambda each: abs(_centre(each[0]) - _centre(line)))
+    _, other = min(like, key=lambda each: abs(each[0].centre - line.centre))
     return _copied(other, line, joins=side == 0)
 
 
@@ -144,7 +144,3 @@ def is_like(p: PenLine, q: PenLine, tolerance: float) -> bool:
         and abs(boxes[0].width - boxes[1].width) <= tolerance * size
         and abs(boxes[0].height - boxes[1].height) <= tolerance * size
     )
-
-
-def _centre(line: PenLine) -> complex:
-    return Box.around(line.points).centre

@@ -18,7 +18,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges, needed
-from shapeblend_cli.model.arrays import rolled
+from shapeblend_cli.model.arrays import numbered, rolled
 from shapeblend_cli.pens.line import UNITS, chains, evenly, length, part_of
 from shapeblend_cli.pens.recovery.balls import ball_diameters
 from shapeblend_cli.pens.recovery.region import Region, Stretch, checked, distance_ahead
@@ -152,7 +152,7 @@ def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
         used = np.flatnonzero(lengths > 1e-9)
         counts = np.maximum(np.ceil(lengths[used] / STEP), 2).astype(np.intp)
         segment = np.repeat(used, counts)
-        within = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+        within = numbered(counts)
         t = (within + 0.5) / np.repeat(counts, counts)
         handles = 3.0 * np.diff(segments[segment], axis=1)
         u = 1.0 - t

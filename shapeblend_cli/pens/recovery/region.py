@@ -10,6 +10,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import ring_edges, signed_area
 from shapeblend_cli.geometry.polyline import nearest_edges
 from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.model.arrays import numbered
 from shapeblend_cli.pens.line import evenly, length
 
 if TYPE_CHECKING:
@@ -136,8 +137,7 @@ def outline_points(segments: ComplexArray) -> ComplexArray:
     is_curved = lengths > (1.0 + 1e-6) * np.abs(segments[:, 3] - segments[:, 0])
     counts = np.where(is_curved, np.ceil(lengths / CURVE_STEP), 0).clip(CURVE_POINTS).astype(np.intp)
     segment = np.repeat(np.arange(len(segments)), counts)
-    within = np.arange(len(segment)) - np.repeat(np.cumsum(counts) - counts, counts)
-    return cubics.evaluate(segments[segment], within / counts[segment])
+    return cubics.evaluate(segments[segment], numbered(counts) / counts[segment])
 
 
 def distance_ahead(
