@@ -130,6 +130,7 @@ def test_what_is_wrong_stops_the_batch_before_it_starts(row, drawings, capsys):
         ("jobs.csv", 'a,b\n"1.svg",2.svg\n"1\n.svg",2.svg,3\n', "jobs.csv, line 3: 3 cells, and 2 columns"),
         ("jobs.csv", "a,b,n\n1.svg,2.svg,3\n", "jobs.csv, line 1: 'n' is no option"),
         ("jobs.csv", "a;b;o\n1.svg;2.svg;x.svg\n", "jobs.csv, line 1: a;b;o has no commas; a,b,o would work"),
+        ("jobs.csv", "a\n1.svg\n", "jobs.csv, line 2: a job has drawings a and b"),
         ("jobs.csv", "a,b,b\n", "jobs.csv, line 1: two columns have the same name"),
         ("jobs.toml", "[[job]]\na='1.svg'\nb='2.svg'\n[[job]]\na='1.svg'\n", "jobs.toml, line 4: a job has"),
         ("jobs.toml", "[default]\nframes = 3\n", "jobs.toml: 'default' is unknown"),

@@ -154,6 +154,13 @@ def test_other_paint_dissolves_into_a_pattern():
         assert np.abs(one - other).max() < 0.04
 
 
+def test_a_gradient_and_a_pattern_dissolve_into_each_other():
+    shaded, dotted = RAMP + FILLED.replace("url(#p)", "url(#g)"), DOTS.format("") + FILLED
+    for a, b in ((shaded, dotted), (dotted, shaded)):
+        none, little, much, whole = frames(a, b, 0.0, 0.02, 0.98, 1.0)
+        assert max(np.abs(none - little).max(), np.abs(much - whole).max()) < 0.05
+
+
 def test_masks_dissolve_into_each_other_and_move_with_what_they_mask():
     other = SOFT.format("").replace('"#fff"', '"#000"', 1) + MASKED
     none, half, whole = frames(SOFT.format("") + MASKED, other, 0.0, 0.5, 1.0)
