@@ -54,9 +54,6 @@ REST_KEPT = 0.35
 MOVED_KEPT = 0.7
 """Minimum share of the shorter drawing's lines that stay but for a shift."""
 
-PEN_RATIO = 1.35
-"""Maximum ratio of the widths of two lines of which one stays."""
-
 
 class Run(NamedTuple):
     """A stretch along which a line of A lies on a line of B.
@@ -175,8 +172,6 @@ def _places(line: PenLine, begin: float, end: float, steps: int | None) -> Float
 def _runs_of(i: int, p: PenLine, j: int, q: PenLine) -> list[Run]:
     """Return the runs of two lines, both ways."""
     width = min(p.width, q.width)
-    if min(len(p.points), len(q.points)) < 2 or max(p.width, q.width) > PEN_RATIO * width:
-        return []
     along_p, along_q = p.outline, q.outline
     whole_p, whole_q = length(along_p), length(along_q)
     if min(whole_p, whole_q) < 1e-6:
