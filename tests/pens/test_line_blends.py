@@ -108,6 +108,8 @@ def test_a_drawing_that_is_turned_or_flipped_is_so_as_a_whole():
         ("B is A turned", TURNED)
     )
     assert reasons(blend(strokes(f"{hook} M9 12H12"), strokes(f"{flipped} M15 12H12"))) == [FLIPPED, FLIPPED]
+    one_more = strokes(f"{flipped} M15 12H12 M8 12V13.5")
+    assert FLIPPED not in reasons(blend(strokes(f"{hook} M9 12H12"), one_more))
 
 
 def test_a_sign_that_is_nearly_the_other_one_upside_down_turns_within_what_stays():
