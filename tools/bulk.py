@@ -15,7 +15,6 @@ import itertools
 import json
 import os
 import random
-import resource
 import signal
 import subprocess
 import sys
@@ -25,6 +24,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from tools.quality.npm import icon_file, icon_set, install
+from tools.quality.times import processor_time
 
 JOBS = 2000
 SHARDS = 4
@@ -98,7 +98,7 @@ def whole(count: int) -> None:
     check(current == stood, f"run again, {current} were up to date")
     check(len(made("whole")) == count, f"all {count} outputs are there")
     Path("r.jsonl").unlink()
-    usage = _cpu(line)
+    usage = processor_time(line)
     check(
         {*statuses("r.jsonl")} == {"current"},
         f"a further run does nothing, with {usage:.2f} s of a processor, {1000 * usage / count:.1f} ms a pair",
@@ -153,22 +153,17 @@ def _memory(pid: int) -> float:
     return 0.0
 
 
-def _cpu(line: list[str]) -> float:
-    """Run a command; the seconds of a processor that it took, with all processes that it started."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(line, check=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def costs(jobs: int) -> None:
     """Measure what a job costs in time of a processor: alone, and in a batch of one process."""
     count = min(COSTS, jobs - 10)
     pairs = [(f"in/{k}.svg", f"in/{k + 1}.svg") for k in range(count)]
     Path("out").mkdir()
-    alone = sum(_cpu([*COMMAND, a, b, "-q", "-o", f"out/{k}.svg"]) for k, (a, b) in enumerate(pairs)) / count
-    few = _cpu([*_first(10, "few"), "-j", "1"])
-    more = _cpu([*_first(10 + count, "more"), "-j", "1"])
+    alone = (
+        sum(processor_time([*COMMAND, a, b, "-q", "-o", f"out/{k}.svg"]) for k, (a, b) in enumerate(pairs))
+        / count
+    )
+    few = processor_time([*_first(10, "few"), "-j", "1"])
+    more = processor_time([*_first(10 + count, "more"), "-j", "1"])
     say(f"a command of its own: {1000 * alone:.1f} ms")
     say(f"in a batch: {1000 * (more - few) / count:.1f} ms")
 

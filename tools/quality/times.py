@@ -74,7 +74,7 @@ def _in_a_folder(way: Way, pairs: Sequence[Pair]) -> float:
         return way(pairs, Path(folder))
 
 
-def _run(command: list[str], **options: Any) -> float:
+def processor_time(command: list[str], **options: Any) -> float:
     """Run a command; return the seconds that processors worked for it."""
     before = _worked()
     subprocess.run(command, check=True, **options)
@@ -111,7 +111,7 @@ def written(pairs: Sequence[Pair], folder: Path) -> list[dict[str, str]]:
 
 def _shapeblend(*arguments: str, folder: Path) -> float:
     command = [sys.executable, "-m", "shapeblend_cli", *arguments, "--quiet", "--frames", str(STEPS - 1)]
-    return _run(command, cwd=folder)
+    return processor_time(command, cwd=folder)
 
 
 def theirs(library: Library, times: Sequence[float] = TIMES) -> Way:
@@ -120,7 +120,7 @@ def theirs(library: Library, times: Sequence[float] = TIMES) -> Way:
     def run(pairs: Sequence[Pair], folder: Path) -> float:
         with (folder / "frames").open("w", encoding="utf-8") as out:
             text = library.lines(pairs, times)
-            return _run(library.command, cwd=INSTALLED, input=text, stdout=out, text=True)
+            return processor_time(library.command, cwd=INSTALLED, input=text, stdout=out, text=True)
 
     return run
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polygons import centroid, signed_area
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from tools.quality.data import Pair, polygon, subpaths
 from tools.quality.scores import STEPS, area
@@ -67,11 +67,3 @@ def even(contour: np.ndarray) -> np.ndarray:
     around = from_end_to_end(contour, closed=True)
     reached = cumulative_lengths(around)
     return np.interp(reached[-1] * np.arange(VERTICES) / VERTICES, reached, around)
-
-
-def centroid(contour: np.ndarray) -> complex:
-    """Of the inside."""
-    p = contour - contour[0]
-    q = np.roll(p, -1)
-    cross = (p.conj() * q).imag
-    return complex(contour[0] + ((p + q) * cross).sum() / (3 * cross.sum()))
