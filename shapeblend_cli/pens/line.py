@@ -79,6 +79,11 @@ class PenLine(NamedTuple):
         return np.append(self.points, self.points[0]) if self.closed else self.points
 
     @property
+    def drawn(self) -> ComplexArray:
+        """Its outline; of a dot the point twice."""
+        return self.outline if len(self.points) > 1 else np.repeat(self.points, 2)
+
+    @property
     def length(self) -> float:
         """Its length, in units."""
         return length(self.outline)

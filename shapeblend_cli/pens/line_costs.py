@@ -138,7 +138,7 @@ def _watched(outline: ComplexArray) -> ComplexArray:
 def _pressed(ring: PenLine, line: PenLine) -> tuple[ComplexArray, ComplexArray]:
     """Return a closed line, and each of its points on an open one to which it is pressed flat."""
     points = evenly(ring.outline, PRESSED_STEP)
-    other = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
+    other = line.drawn
     chord = complex(other[-1] - other[0])
     along = (points * (chord.conjugate() if chord else 1.0)).real
     shares = (along - along.min()) / max(float(np.ptp(along)), 1e-12)

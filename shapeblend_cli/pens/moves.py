@@ -322,7 +322,7 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, has_bodies: b
 
     A bow that stands on others parts in its middle. Where the drawing has more than lines, that may change, too.
     """
-    points = line.outline if len(line.points) > 1 else np.repeat(line.points, 2)
+    points = line.drawn
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
     outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)

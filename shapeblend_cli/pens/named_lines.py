@@ -123,8 +123,7 @@ def _named(name: str, lines: Lines, drawing: PlacedDrawing) -> int | None:
 def _nearest(point: complex, lines: Lines, drawing: PlacedDrawing, scale: float) -> int | None:
     """Return the index of the line that is nearest to a point; None if another contour is nearer."""
     here = np.array([point * scale])
-    outlines = [line.outline if len(line.outline) > 1 else np.repeat(line.points, 2) for line in lines]
-    away = [float(foot_points(here, outline)[0][0]) / scale for outline in outlines]
+    away = [float(foot_points(here, line.drawn)[0][0]) / scale for line in lines]
     best = int(np.argmin(away))
     others = [float(np.abs(contour.polygon.vertices - point).min()) for contour in drawing.contours]
     return best if away[best] <= min(others, default=np.inf) else None

@@ -224,8 +224,7 @@ def _twins(lines: Sequence[PenLine], centre: complex, axis: complex) -> list[int
         twin = None
         for k, other in enumerate(lines):
             if abs(other.length - line.length) < 0.08 * line.length + 0.3:
-                outline = other.outline if len(other.points) > 1 else np.repeat(other.points, 2)
-                if foot_points(images, outline)[0].max() < TWIN_DISTANCE:
+                if foot_points(images, other.drawn)[0].max() < TWIN_DISTANCE:
                     twin = k
         found.append(twin)
     return found

@@ -119,7 +119,7 @@ def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
 
 
 def _outlines(lines: Sequence[PenLine]) -> list[ComplexArray]:
-    return [line.outline if len(line.points) > 1 else np.repeat(line.points, 2) for line in lines]
+    return [line.drawn for line in lines]
 
 
 def _partners_of(moving: Sequence[Whole], b: Sequence[PenLine]) -> list[int]:
