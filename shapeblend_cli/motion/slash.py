@@ -62,9 +62,6 @@ BESIDE_ROWS = 4
 REACH = 1.6
 """Maximum distance of what is cut away from the slash, in thicknesses: the gap on either side."""
 
-LEAST_LEFT = 0.2
-"""Minimum share of the drawing that is further away."""
-
 LEAST_SIDE = 0.04
 """Minimum share of the drawing on each side of the slash and its gap."""
 
@@ -174,7 +171,7 @@ def _is_crossed_out(before: BoolArray, after: BoolArray, least: float, most: flo
         whole, added, removed = before.sum(), _opened(after & ~before), _opened(before & ~after)
         stray = (added & ~slash).sum() + (removed & ~near).sum()
         left = before[: max(0, top - reach)].sum(), before[bottom + reach :].sum()
-        is_across = min(left) > LEAST_SIDE * whole and sum(left) > LEAST_LEFT * whole
+        is_across = min(left) > LEAST_SIDE * whole
         if is_across and touched + STRAY_WEIGHT * stray / whole < MOST_WRONG:
             return True
     return False
