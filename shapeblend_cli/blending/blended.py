@@ -16,6 +16,7 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
+from shapeblend_cli.blending.silhouettes import with_other_matches
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import ASKED, SENT_BACK, is_covered, least_grade, swapped
@@ -166,6 +167,7 @@ def _by_lines_or_outlines(
         shapes = move(paired)
         if _is_free(settings):
             paired, shapes = with_better_pairs(paired, shapes, move, view, works)
+            paired, shapes = with_other_matches(paired, shapes, move, view, works)
         return _with_bodies(paired, shapes, view)
 
     def move(paired: PairedDrawings) -> Shapes:

@@ -51,6 +51,6 @@ def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
     return grade_of(Pair(0, 1, tuple(shapes), ((), ()), (view, view))).number
 
 
-def is_suspect(pair: Pair) -> bool:
+def is_suspect(shapes: Sequence[ShapeBlend]) -> bool:
     """Return whether the judge of outlines, which has looked at them already, found much wrong with a shape."""
-    return any(shape.taken is not None and shape.taken.wrong >= SUSPECT for shape in pair.each_shape)
+    return any(shape.taken is not None and shape.taken.wrong >= SUSPECT for shape in shapes)

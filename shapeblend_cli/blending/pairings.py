@@ -69,16 +69,16 @@ def with_better_pairs(
     if best <= FINE:
         return paired, usual
     found = paired, usual
-    seen = [_partners(paired)]
+    seen = [partners_in(paired)]
     for other, gain in _others(paired, works):
-        if _partners(other) not in seen:
-            seen.append(_partners(other))
+        if partners_in(other) not in seen:
+            seen.append(partners_in(other))
             shapes = move(other)
             grade = grade_of_shapes(shapes, view) + gain
             if grade < best:
                 best, found = grade, (other, shapes)
     other = _without_torn_lines(found[0])
-    if _partners(other) in seen:
+    if partners_in(other) in seen:
         return found
     shapes = move(other)
     return (other, shapes) if grade_of_shapes(shapes, view) < best - PREFERRED else found
@@ -137,7 +137,8 @@ def _without_torn_lines(paired: PairedDrawings) -> PairedDrawings:
     return paired._replace(pairs=kept)
 
 
-def _partners(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
+def partners_in(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
+    """Return the numbers of partners, and whether one of them is a piece."""
     return {(*numbers, any(one.is_piece for one in pair)) for numbers, (pair, _) in paired.pairs.items()}
 
 

@@ -297,7 +297,9 @@ def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:
     is_asked = job.write.fail_on == "poor"
     if job.output.settings.mix:
         return
-    graded = [(run.grade(k), pair) for k, pair in enumerate(run.pairs) if is_asked or is_suspect(pair)]
+    graded = [
+        (run.grade(k), pair) for k, pair in enumerate(run.pairs) if is_asked or is_suspect(pair.each_shape)
+    ]
     if not graded:
         return
     grade, pair = max(graded, key=lambda each: each[0].number)
