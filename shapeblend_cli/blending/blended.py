@@ -16,7 +16,7 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
-from shapeblend_cli.blending.silhouettes import with_other_matches
+from shapeblend_cli.blending.rematched import with_other_matches
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import ASKED, SENT_BACK, is_covered, least_grade, swapped

@@ -1,6 +1,7 @@
-"""Outlines of one colour in which much goes wrong are matched in another way where that looks better."""
+"""Outlines in which much goes wrong are matched in another way where that looks better."""
 
-from shapeblend_cli.blending import silhouettes
+from shapeblend_cli.blending import rematched
+from shapeblend_cli.blending.graded import grade_of
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -9,6 +10,14 @@ FIST = "M58 30v2a26 26 0 0 1-52-2q9 4 13 0 6 6 12 1l4 3q-5 4-5 10h4q0-9 8-9v-3h-
 FINGERS = '<path d="M6 18q5-8 10 0v8q-5 8-10 0z"/><path d="M20 13q5-8 10 0v12q-5 8-10 0z"/>'
 A = drawing(f'<path d="{HAND}"/>', viewbox="0 0 64 64")
 B = drawing(f'<path d="{FIST}"/>{FINGERS}', viewbox="0 0 64 64")
+
+EYE = '<circle cx="{0}" cy="{0}" r="3" fill="#222"/>'
+WHALE = "M2 22q14-10 20 2 6 8 16 2 8-6 4-16l8 4 8-8q4 10-4 14 4 30-26 34-28 0-26-32z"
+RAY = "M6 54l8-30q10-18 24-6l18-12-6 22 8 24-18-12q-16 20-34 14z"
+SEA = [
+    drawing(f'<path fill="#3388cc" d="{WHALE}"/>{EYE.format(26)}', viewbox="0 0 64 64"),
+    drawing(f'<path fill="#4499ee" d="{RAY}"/>{EYE.format(22)}', viewbox="0 0 64 64"),
+]
 
 
 def alone(pair):
@@ -19,9 +28,19 @@ def test_fingers_that_come_apart_are_cut_from_the_hand():
     assert alone(pair_of(A, B)) == alone(pair_of(B, A)) == 0
 
 
+def test_points_stay_nearer_to_their_places_if_that_looks_better(monkeypatch):
+    better = grade_of(pair_of(*SEA)).number
+    monkeypatch.setattr(rematched, "IN_PLACE", ())
+    assert better < grade_of(pair_of(*SEA)).number - 0.3
+
+
 def test_a_small_gain_cuts_nothing(monkeypatch):
-    ways = tuple((changed, 0.6) for changed, _ in silhouettes.WAYS)
-    monkeypatch.setattr(silhouettes, "WAYS", ways)
+    monkeypatch.setattr(rematched, "TORN", 1.0)
+    assert alone(pair_of(A, B)) == 2
+
+
+def test_nothing_is_cut_for_what_is_elsewhere(monkeypatch):
+    monkeypatch.setattr(rematched, "FAR", 0.0)
     assert alone(pair_of(A, B)) == 2
 
 
@@ -34,6 +53,6 @@ def test_outlines_that_look_right_are_not_matched_again(monkeypatch):
     def fail(*arguments):
         raise AssertionError
 
-    monkeypatch.setattr(silhouettes, "grade_of_shapes", fail)
+    monkeypatch.setattr(rematched, "grade_of_shapes", fail)
     bars = drawing('<path d="M4 24h40v12H4z"/>'), drawing('<path d="M4 20h40v18H4z"/><path d="M8 2h9v9H8z"/>')
     assert alone(pair_of(*bars)) == 1

@@ -1,0 +1,110 @@
+"""Other ways to match outlines in which much goes wrong, where the judge prefers them.
+
+The ordinary way may take one limb for another, and a body opens like a mouth, or a head shrinks beside the neck from
+which another one grows.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from shapeblend_cli.blending.graded import FINE, grade_of_shapes, is_suspect
+from shapeblend_cli.blending.matched import pair_drawings
+from shapeblend_cli.blending.paced import with_parts_paced
+from shapeblend_cli.blending.pairings import partners_in
+from shapeblend_cli.blending.plates.inverted import is_plain
+from shapeblend_cli.pairing.costs import Rates
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.blending.matched import PairedDrawings
+    from shapeblend_cli.model import Box, ShapeBlend
+
+    Shapes = tuple[ShapeBlend, ...]
+
+IN_PLACE = (20.0, 60.0)
+"""Stiffnesses against travel that are tried, with which points stay nearer to their places."""
+
+NEARER = 0.12
+"""Minimum advantage of a blend whose points stay nearer to their places for it to be taken, in grades."""
+
+TORN = 0.25
+"""Minimum advantage of a blend in which outlines are cut to pieces, in grades: it opens slots."""
+
+FAR = 0.25
+"""Maximum distance from a piece to its partner, in sizes of the largest contour."""
+
+
+def with_other_matches(
+    paired: PairedDrawings,
+    usual: Shapes,
+    move: Callable[[PairedDrawings], Shapes],
+    view: Box,
+    works: dict[tuple[int, int], float],
+) -> tuple[PairedDrawings, Shapes]:
+    """Return paired drawings and their blend, or those of another way to match that the judge prefers in a view.
+
+    `move` blends paired drawings, and `works` are those that the ordinary pairing has found. Silhouettes, which have
+    one colour, are also cut to pieces for the parts of the other one.
+    """
+    is_fixed = paired.changes or paired.required or paired.copies is not None
+    if is_fixed or not is_suspect(usual):
+        return paired, usual
+    grade = _grade(usual, view)
+    if grade <= FINE:
+        return paired, usual
+    found = least = grade, paired, usual
+    if not paired.settings.is_given("k_t"):
+        for stiffness in IN_PLACE:
+            least = min(least, _graded(_stiffer(paired, stiffness), move, view), key=_number)
+    if least[0] < grade - NEARER:
+        found = least
+    pieces = _in_pieces(paired, works)
+    if pieces is not None:
+        stiffnesses = sorted({paired.settings.k_t, least[1].settings.k_t})
+        cut = min((_graded(_stiffer(pieces, each), move, view) for each in stiffnesses), key=_number)
+        if cut[0] < min(grade - TORN, found[0] - NEARER):
+            found = cut
+    return found[1:]
+
+
+def _number(graded: tuple[float, PairedDrawings, Shapes]) -> float:
+    return graded[0]
+
+
+def _grade(shapes: Shapes, view: Box) -> float:
+    """Return the grade of a blend as it is seen: its parts without a partner leave early and come late."""
+    return grade_of_shapes(with_parts_paced(shapes, view.larger_side, None, by_size=True), view)
+
+
+def _graded(
+    paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box
+) -> tuple[float, PairedDrawings, Shapes]:
+    """Return the grade of the blend of paired drawings in a view, with both."""
+    shapes = move(paired)
+    return _grade(shapes, view), paired, shapes
+
+
+def _stiffer(paired: PairedDrawings, stiffness: float) -> PairedDrawings:
+    """Return paired drawings that are matched with another stiffness against travel."""
+    if stiffness == paired.settings.k_t:
+        return paired
+    return paired._replace(settings=paired.settings.replace(k_t=stiffness))
+
+
+def _in_pieces(paired: PairedDrawings, works: dict[tuple[int, int], float]) -> PairedDrawings | None:
+    """Return silhouettes that are cut to pieces for all parts without a partner.
+
+    None if there are none to cut, or if a piece would go far: what is there is another part of the body.
+    """
+    a, b, settings = paired.a, paired.b, paired.settings
+    if settings.is_given("unmatched") or not (is_plain(a) and is_plain(b)):
+        return None
+    settings = settings.replace(unmatched="split")
+    pieces = pair_drawings(a, b, settings, 0.0, paired.progress, rates=Rates(works=works))
+    if partners_in(pieces) == partners_in(paired):
+        return None
+    reach = FAR * max(contour.size for contour in (*a.contours, *b.contours))
+    cut = [pair for pair, _ in pieces.pairs.values() if any(one.is_piece for one in pair)]
+    return pieces if all(abs(p.centre - q.centre) <= reach for p, q in cut) else None
