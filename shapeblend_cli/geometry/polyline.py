@@ -37,6 +37,9 @@ BLOCK = 16
 LEAST_SQUARE = 1e-300
 """Minimum squared length of an edge: of one without a length, every place is its start."""
 
+SURELY_LESS = cython.declare(cython.double, 1.0 - 1e-12)
+"""Maximum ratio of squared distances of which the lesser one is less, whatever is rounded."""
+
 AT_ONCE = 1 << 20
 """Maximum number of distances computed at once: arrays of sixteen times as many bytes."""
 
@@ -351,7 +354,7 @@ def add_distances(
     at_points: cython.bint,
     far: cython.double[::1],
 ) -> None:
-    """Take the distances of points from the edges of a line near some places, `REACH` to either side; keep the largest.
+    """Keep the largest distances of points from the edges of a line near some places, `REACH` to either side.
 
     Parameters
     ----------
@@ -365,12 +368,13 @@ def add_distances(
     at_points : bool
         Keep the distance at the point, else at the last vertex of the line before its place.
     far : (p,) or (n,) float
-        The largest distances so far, by points or vertices.
+        The largest distances so far, by points or vertices; only larger ones are taken down.
     """
     edges: cython.Py_ssize_t = line.shape[0] - 1
     count: cython.Py_ssize_t = lengths.shape[0]
     p: cython.Py_ssize_t
     k: cython.Py_ssize_t
+    step: cython.Py_ssize_t
     first: cython.Py_ssize_t = 0  # the number of lengths up to a place; places mostly rise
     for p in range(points.shape[0]):
         while first > 0 and lengths[first - 1] > places[p]:
@@ -378,13 +382,13 @@ def add_distances(
         while first < count and lengths[first] <= places[p]:
             first += 1
         near: cython.Py_ssize_t = first - 1
-        least: cython.double = -1.0
-        next_number: cython.Py_ssize_t = (near - REACH + REACH * edges) % edges
-        for k in range(near - REACH, near + REACH + 1):
-            number: cython.Py_ssize_t = min(max(k, 0), edges - 1)
-            if closed:
-                number = next_number
-                next_number = number + 1 if number + 1 < edges else 0
+        at: cython.Py_ssize_t = p if at_points else min(max(near, 0), far.shape[0] - 1)
+        enough: cython.double = SURELY_LESS * far[at] * far[at]
+        least: cython.double = INFINITY
+        # The nearest edges come first: mostly one of them is near enough.
+        for step in range(2 * REACH + 1):
+            k = near - (step + 1) // 2 if step % 2 else near + step // 2
+            number: cython.Py_ssize_t = (k + REACH * edges) % edges if closed else min(max(k, 0), edges - 1)
             x: cython.double = points[p, 0] - line[number, 0]
             y: cython.double = points[p, 1] - line[number, 1]
             dx: cython.double = line[number + 1, 0] - line[number, 0]
@@ -396,12 +400,13 @@ def add_distances(
                 x -= share * dx
                 y -= share * dy
             apart: cython.double = x * x + y * y
-            if least < 0.0 or apart < least:
+            if apart < least:
                 least = apart
+            if least < enough:
+                break
         least = sqrt(least)
-        k = p if at_points else min(max(near, 0), far.shape[0] - 1)
-        if least > far[k]:
-            far[k] = least
+        if least > far[at]:
+            far[at] = least
 
 
 def tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:

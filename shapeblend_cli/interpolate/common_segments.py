@@ -145,7 +145,7 @@ def _find_cuts(match: ContinuousMatch, distance: float) -> tuple[FloatArray, Pie
     for _ in range(MOST_ROUNDS):
         cuts, merged = _merge(plain, nodes, first, extra)
         pieces = _pieces(match.a, match.b, cuts)
-        far = deviation(*pieces[:2], match, cuts)
+        far = deviation(*pieces[:2], match, cuts, distance)
         apart, more = _remedies(match, cuts, merged, far, distance)
         if not apart and not more:
             break
@@ -249,7 +249,8 @@ def _slide_cuts(
     while True:
         slid = cuts + np.take(SLIDE_SHARES, tried)[:, None] * (wanted - cuts)
         pieces = _pieces(match.a, match.b, slid)
-        far = match.piece_at(slid, match.positions[deviation(*pieces[:2], match, slid) > distance])
+        deviates = deviation(*pieces[:2], match, slid, distance) > distance
+        far = match.piece_at(slid, match.positions[deviates])
         back = np.zeros(len(cuts), np.bool_)
         back[far] = back[far + 1] = True
         if match.a.closed:

@@ -22,14 +22,20 @@ LEAST_SAMPLES = 4
 
 
 def deviation(
-    segments_a: ComplexArray, segments_b: ComplexArray, match: ContinuousMatch, cuts: FloatArray
+    segments_a: ComplexArray,
+    segments_b: ComplexArray,
+    match: ContinuousMatch,
+    cuts: FloatArray,
+    tolerance: float,
 ) -> FloatArray:
     """Return the distance between the in-betweens of curves and of polygons, near each position of a match.
 
+    Where it is within the tolerance, that is returned.
+
     Both are approximated by polygons, and the distances of the vertices of each from the edges of the other are taken:
     the course of the outline counts, not the places of points along it. Only edges nearby are considered, so that a
-    limb that lies on another does not hide its deviation. The result, the largest at any of `TIMES` in the drawing's
-    unit, is never less than the true distance between these polygons.
+    limb that lies on another does not hide its deviation. The result, the largest at any of `TIMES`, is never less than
+    the true distance between these polygons.
 
     Parameters
     ----------
@@ -39,6 +45,8 @@ def deviation(
         Its k positions are the polygons' vertices.
     cuts : (s + 1, 2) float
         Positions where the pieces begin and end.
+    tolerance : float
+        Like the result, in the drawing's unit.
     """
     progress = match.own_progress
     cut_progress = match.progress(cuts)
@@ -52,7 +60,7 @@ def deviation(
     curves, curve_lengths = _in_betweens(curve_a, curve_b)
     polygons, polygon_lengths = _polygons(match)
     curve_cuts = np.concatenate([begins, [len(piece)]])
-    far = np.zeros(len(match.positions))
+    far = np.full(len(match.positions), tolerance)
     for curve, length_curve, polygon, length_polygon in zip(
         curves, curve_lengths, polygons, polygon_lengths, strict=True
     ):
