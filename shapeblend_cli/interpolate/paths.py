@@ -12,7 +12,7 @@ from shapeblend_cli.interpolate.common_segments import common_segments
 from shapeblend_cli.model import WHOLE, ContourBlend, CubicPath, ShapeBlend, Waypoint, control_box
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
 
     from shapeblend_cli.model import ComplexArray
 
@@ -66,6 +66,13 @@ def segments_at(shape: ShapeBlend, t: float) -> list[ComplexArray]:
             for contour, segments in zip(shape.contours, every, strict=True)
         ]
     return every
+
+
+def expect(shape: ShapeBlend, times: Iterable[float]) -> None:
+    """Have a shape's outlines found at several times at once, if its motion does that sooner than one by one."""
+    at_once = getattr(shape.motion, "expect", None)
+    if at_once is not None:
+        at_once(shape.contours, [own for t in times if 0.0 < (own := shape.own_time(t)) < 1.0])
 
 
 def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
@@ -130,6 +137,7 @@ def _found_cuts(moving: _Moving, begin: float, until: float, finer: float) -> Se
     def cut(low: float, high: float, depth: int) -> list[float]:
         """Return the times at which an interval is to be cut."""
         first, ahead = at(low), at(high) - at(low)
+        expect(shape, (low + u * (high - low) for u in (0.25, 0.5, 0.75)))
         off = (np.abs(first + u * ahead - at(low + u * (high - low))).max() for u in (0.5, 0.25, 0.75))
         if depth == 0 or all(one <= most for one in off):
             return []

@@ -64,19 +64,20 @@ class MovingPolygon(NamedTuple):
     weight: FloatArray  # (n + 1,), of each control point for the position; of sum 1
     positions: tuple[complex, complex]  # weighted means of the control points, at the start and the end
 
-    def at(self, t: float) -> ComplexArray:
-        """Return the control points at time t, (n + 1,) complex, with the similarity undone."""
+    def at(self, times: FloatArray) -> ComplexArray:
+        """Return the control points at some times, (times, n + 1) complex, with the similarity undone."""
+        t = times[:, None]
         moves = self.polygons.moves
         length = (1.0 - t) * self.polygons.start + t * self.end
         u = np.exp(1j * (self.polygons.direction + t * self.direction_change))
         if self.polygons.path.closed:
-            length = closing_lengths(length, u, self.compliance)
-            u = u - (length * u).sum() / length.sum()
-        points = np.zeros(len(moves) + 1, np.complex128)
-        points[1:][moves] = length * u
-        points = points.cumsum()
+            length = np.array([closing_lengths(*one, self.compliance) for one in zip(length, u, strict=True)])
+            u = u - (length * u).sum(axis=1, keepdims=True) / length.sum(axis=1, keepdims=True)
+        points = np.zeros((len(times), len(moves) + 1), np.complex128)
+        points[:, 1:][:, moves] = length * u
+        points = points.cumsum(axis=1)
         position = (1.0 - t) * self.positions[0] + t * self.positions[1]
-        return points + (position - (self.weight * points).sum())
+        return points + (position - (self.weight * points).sum(axis=1, keepdims=True))
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,29 +96,51 @@ class Intrinsic:
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t, of the contours that this was made of."""
         if t not in self._known:
-            # The judge, the check for crossings and animations ask for the same times.
-            found = self._segments(contours, t)
-            if (len(self._known) + 1) * sum(segments.size for segments in found) > MOST_KNOWN:
-                self._known.clear()
-            self._known[t] = found
+            self._find(contours, [t])
         return list(self._known[t])
 
-    def _segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
-        every = []
-        for contour, polygon in zip(contours, self.polygons, strict=True):
-            if polygon is None:
-                every += Rigid((self.alignment,)).segments([contour], t)
-                continue
+    def expect(self, contours: Sequence[ContourBlend], times: Sequence[float]) -> None:
+        """Find the control points at several times at once, for `segments`."""
+        new = [t for t in times if t not in self._known]
+        if new and len(new) * _points_of(contours) <= MOST_KNOWN:
+            self._find(contours, new)
+
+    def _find(self, contours: Sequence[ContourBlend], times: Sequence[float]) -> None:
+        # The judge, the check for crossings and animations ask for the same times.
+        if (len(self._known) + len(times)) * _points_of(contours) > MOST_KNOWN:
+            self._known.clear()
+        every = [self._moved(contours, k, times) for k in range(len(contours))]
+        self._known.update((t, [moved[k] for moved in every]) for k, t in enumerate(times))
+
+    def _moved(
+        self, contours: Sequence[ContourBlend], number: int, times: Sequence[float]
+    ) -> list[ComplexArray]:
+        """Return the control points of a contour at some times."""
+        contour, polygon = contours[number], self.polygons[number]
+        if polygon is None:
+            rigid = Rigid((self.alignment,))
+            found = [rigid.segments([contour], t)[0] for t in times]
+        else:
             straight = contour.start.straight
-            segments = self.alignment.apply(polygon.at(t), t)[polygon.polygons.control_points]
-            lines = segments[straight]
-            chord = lines[:, 3] - lines[:, 0]
-            lines[:, 1], lines[:, 2] = lines[:, 0] + chord / 3.0, lines[:, 0] + chord * (2.0 / 3.0)
-            segments[straight] = lines
-            every.append(segments)
-        for segments in every:
+            points = polygon.at(np.array(times))
+            moved = [self.alignment.apply(own, t) for own, t in zip(points, times, strict=True)]
+            every = np.array(moved)[:, polygon.polygons.control_points]
+            lines = every[:, straight]
+            chord = lines[:, :, 3] - lines[:, :, 0]
+            lines[:, :, 1], lines[:, :, 2] = (
+                lines[:, :, 0] + chord / 3.0,
+                lines[:, :, 0] + chord * (2.0 / 3.0),
+            )
+            every[:, straight] = lines
+            found = list(every)
+        for segments in found:
             segments.setflags(write=False)
-        return every
+        return found
+
+
+def _points_of(contours: Sequence[ContourBlend]) -> int:
+    """Return the number of control points of contours."""
+    return sum(contour.start.segments.size for contour in contours)
 
 
 def intrinsic(contours: Sequence[ContourBlend], alignment: Alignment) -> Intrinsic:

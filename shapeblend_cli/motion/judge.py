@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.raster import count_folds, count_unlike, winding_grid
-from shapeblend_cli.interpolate.paths import segments_at
+from shapeblend_cli.interpolate.paths import expect, segments_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rigid import Rigid
 
@@ -162,6 +162,7 @@ def outlines_of(shape: ShapeBlend) -> Outlines:
     if shape.motion is None:
         points = _even(*ends)
     else:
+        expect(shape, TIMES[INNER].tolist())
         points = np.stack([ends[0], *(_points(shape, t) for t in TIMES[INNER].tolist()), ends[1]])
     kept, following = [], []
     counts: list[int] = []
