@@ -11,7 +11,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.interpolate.paths import expect, paths_at
 from shapeblend_cli.model import Candidate
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judge_shape
@@ -140,12 +140,14 @@ def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> Shape
         wrong = tried[-1].wrong
         if wrong > CLEAN * tried[0].wrong:
             continue
+        is_less = wrong < least
+        if is_less and not _crosses(candidate):  # whether straight paths cross does not matter
+            best, least, crossed = candidate, wrong, False
+            continue
         if crossed is None:
             crossed = _crosses(straight)
-        if crossed and not _crosses(candidate):
-            best, least, crossed = candidate, wrong, False
-        elif wrong < least and (crossed or not _crosses(candidate)):
-            best, least = candidate, wrong
+        if crossed and (is_less or not _crosses(candidate)):
+            best, least, crossed = candidate, wrong, is_less
     numbers = ", ".join(f"{one.name} {one.wrong:.3f}" for one in tried)
     return best._replace(reason=f"{_why(best, tried)}: {numbers}", candidates=tuple(tried))
 
@@ -160,7 +162,15 @@ def _why(best: ShapeBlend, tried: Sequence[Candidate]) -> str:
 
 def _crosses(shape: ShapeBlend) -> bool:
     """Return whether the outlines of a shape cross themselves or each other more often than at either end."""
+    if not _cross_more(shape, 0):  # the usual case, for which the ends need not be known
+        return False
     most = max(path_crossings(paths_at(shape, t)) for t in (0.0, 1.0))
+    return most == 0 or _cross_more(shape, most)
+
+
+def _cross_more(shape: ShapeBlend, most: int) -> bool:
+    """Return whether the outlines of a shape cross more than so often at any of the times that are checked."""
+    expect(shape, CHECKED_TIMES)
     return any(path_crossings(paths_at(shape, t), most + 1) > most for t in CHECKED_TIMES)
 
 
