@@ -2,7 +2,7 @@
 
     HOME/.shapeblend-KEY/names       the names of the files that the stage is for
     HOME/.shapeblend-KEY/new/NAME    is to become HOME/NAME: a file, or a folder with all that is in it
-    HOME/.shapeblend-KEY/old/NAME    the file or folder before, until the run is done
+    HOME/.shapeblend-KEY/old/NAME    the file or folder before, if it is replaced, until the run is done
     HOME/.shapeblend-KEY/moved.json  the files that are being moved, if there are several
 
 A process holds the system's lock on its stage. The system takes the lock from a process that ends, however it ends. So
@@ -60,7 +60,6 @@ class Stage:
         # Not synced: it is for those who come after a kill, and after a power failure a stage may stay.
         (self.path / NAMES).write_bytes(b"\0".join(map(os.fsencode, sorted(self.names))))
         self.new.mkdir()
-        self.old.mkdir()
 
     def move(self, force: bool) -> None:
         """Move everything into place. Each name takes one step, in which what was there goes.
@@ -83,6 +82,7 @@ class Stage:
             elif source.is_dir() and target.is_dir():
                 self._swap(source, target)
             elif force:
+                self.old.mkdir(exist_ok=True)
                 _link_or_copy(target, self.old / name)
                 os.replace(source, target)
             else:
@@ -96,6 +96,7 @@ class Stage:
             exchange(source, target)
             return
         except OSError:
+            self.old.mkdir(exist_ok=True)
             old = self.old / target.name
         # Two steps. A run that is killed between them leaves nothing in place, and `clear` puts the old one back.
         try:

@@ -139,9 +139,9 @@ FOREIGN = {
     "another name": lambda stage: stage.rename(".shapeblend-0123456789ab"),
     "a file beside": lambda stage: (stage / "db").write_text("mine"),
     "a file inside": lambda stage: (stage / "new" / "mine.txt").write_text("mine"),
-    "a folder inside": lambda stage: (stage / "old" / "mine").mkdir(),
-    "a folder for a file": lambda stage: (stage / "old" / "x.svg").mkdir(),
-    "a link for a folder": lambda stage: ((stage / "old").rmdir(), (stage / "old").symlink_to("../../mine")),
+    "a folder inside": lambda stage: (stage / "new" / "mine").mkdir(),
+    "a folder for a file": lambda stage: (stage / "old" / "x.svg").mkdir(parents=True),
+    "a link for a folder": lambda stage: (stage / "old").symlink_to("../../mine"),
     "a link": lambda stage: stage.rename("mine").parent.joinpath(stage).symlink_to("mine"),
     "no list": lambda stage: (stage / "names").unlink(),
 }
