@@ -49,7 +49,7 @@ def evaluate(segments: ComplexArray, t: FloatArray) -> ComplexArray:
         found = np.empty(len(segments), np.complex128)
         _evaluate(_coordinates(segments), t, found.view(np.float64))
         return found
-    p0, p1, p2, p3 = np.moveaxis(segments, -1, 0)
+    p0, p1, p2, p3 = (segments[..., k] for k in range(4))
     u = 1.0 - t
     return u * u * (u * p0 + 3.0 * t * p1) + t * t * (3.0 * u * p2 + t * p3)
 

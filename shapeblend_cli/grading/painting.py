@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,16 +52,16 @@ def picture(shapes: Sequence[PaintedShape], view: Box) -> PictureArray:
     """
     step = view.larger_side / SIDE
     corner = view.centre - 0.5 * SIDE * step * (1.0 + 1.0j)
-    painted = np.zeros((4, SIDE, SIDE), np.float32)
+    painted = np.zeros((4, SIDE * SIDE), np.float32)
     for shape in shapes:
         for style in (shape.below, shape.style):
             if style is not None:
                 for layer in _layers(shape.paths, style):
                     numbers = winding_grid(layer.starts, layer.ends, corner, step, SIDE)
-                    inside = numbers % 2 != 0 if layer.rule == "evenodd" else numbers != 0
+                    inside = np.flatnonzero(numbers % 2 != 0 if layer.rule == "evenodd" else numbers != 0)
                     for channel, value in zip(painted, (*layer.colour, 1.0), strict=True):
                         channel[inside] += layer.opacity * (value - channel[inside])
-    return painted
+    return painted.reshape(4, SIDE, SIDE)
 
 
 def _layers(paths: Sequence[CubicPath], style: Style) -> list[_Layer]:
@@ -69,7 +70,7 @@ def _layers(paths: Sequence[CubicPath], style: Style) -> list[_Layer]:
     lines = [_points(path) for path in paths]
     fill, stroke = style.paints
     if fill.colour is not None and fill.opacity > 0.0:
-        after = [np.roll(line, -1) for line in lines]
+        after = [rolled(line, -1) for line in lines]
         found.append(
             _Layer(
                 np.concatenate(lines), np.concatenate(after), style.fill_rule, _rgb(fill.colour), fill.opacity
