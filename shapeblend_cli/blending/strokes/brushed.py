@@ -85,9 +85,11 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         return usual
     from shapeblend_cli.brushes.stroke_blends import matched  # few drawings are handwriting
 
-    brushes = _brushes(a, thicknesses[0], scale), _brushes(b, thicknesses[1], scale)
-    if brushes[0] is None or brushes[1] is None:
+    brushes_a = _brushes(a, thicknesses[0], scale)
+    brushes_b = _brushes(b, thicknesses[1], scale) if brushes_a is not None else None
+    if brushes_a is None or brushes_b is None:
         return usual
+    brushes = brushes_a, brushes_b
     best = grade - BETTER
     for wires, turns in product((None, settings), (False, True)):
         found = matched(brushes[0], brushes[1], wires, turns=turns)
