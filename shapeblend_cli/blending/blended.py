@@ -161,8 +161,9 @@ def _by_lines_or_outlines(
             inlaid = with_inlays(_moved(paired, *match_pairs(paired), view), plates, view)
             if inlaid is not None:
                 return tuple(inlaid)
-        works: dict[tuple[int, int], float] = {}
         sides = with_outlines(a, b, settings, view)
+        contours = [*sides[0].contours, *sides[1].contours]
+        works: dict[tuple[int, int], float] = progress.once("works", contours, len(sides[0].contours), dict)
         paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
         shapes = move(paired)
         if _is_free(settings):

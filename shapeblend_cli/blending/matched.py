@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing
 from shapeblend_cli.blending.copies import MATCHED_ONE_BY_ONE, Copies
@@ -13,6 +13,7 @@ from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.paint.styles import painted_as
 from shapeblend_cli.pairing.changes import changes, unchanged
 from shapeblend_cli.pairing.costs import USUAL, Rates
+from shapeblend_cli.pairing.paint_order import Overlaps
 from shapeblend_cli.pairing.pair import pair_rotated_contours, rotated_back
 from shapeblend_cli.pairing.reasons import reasons_for
 from shapeblend_cli.pairing.required import constrain, point_pins, required_pairs
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.wires.constraints import Numbers
     from shapeblend_cli.wires.direction import Watch
 
+T = TypeVar("T")
+
 
 class Progress(NamedTuple):
     """The clock and the observer of one of several pairs, and the steps that are kept for the next run."""
@@ -47,6 +50,16 @@ class Progress(NamedTuple):
     def keeping(self, most: int) -> Progress:
         """Return the same with steps of its own, at most so many, unless steps are kept already."""
         return self if self.steps.keeps else self._replace(steps=Kept(most))
+
+    def once(self, step: str, objects: Sequence[object], given: Hashable, make: Callable[[], T]) -> T:
+        """Return a step made of objects: as it was kept, else as it is made now."""
+        key = step, *map(id, objects), given
+        found = self.steps.find(key)
+        if found is None:
+            found = objects, make()  # as long as the objects are kept, no others have their ids
+            self.steps.keep(key, found, size=0)
+        made: T = found[1]
+        return made
 
     def tell(self, stage: str, share: float) -> None:
         """Say how much of a stage is done, from 0 to 1."""
@@ -85,7 +98,9 @@ class PairedDrawings(NamedTuple):
             blend = self.copies.matched(pair, rotation, search) if self.copies and is_free else search()
             return blend._replace(seconds=self.progress.clock.lap("match"))
 
-        return Match(pair, self._once("match", pair, (required, rotation, self._unnamed_settings), solve))
+        return Match(
+            pair, self.progress.once("match", pair, (required, rotation, self._unnamed_settings), solve)
+        )
 
     def match_again(self, shape: ShapeBlend, rotation: float) -> ShapeBlend:
         """Match the contours of a shape for another angle."""
@@ -106,7 +121,7 @@ class PairedDrawings(NamedTuple):
             return copies.curved(blend, with_curves) if copies and blend.is_matched else with_curves(blend)
 
         return shape._replace(
-            contours=self._once("curves", contours, (), lambda: tuple(map(curve, contours)))
+            contours=self.progress.once("curves", contours, (), lambda: tuple(map(curve, contours)))
         )
 
     def judged(
@@ -114,22 +129,13 @@ class PairedDrawings(NamedTuple):
     ) -> ShapeBlend:
         """Return a shape with the motion that `choose` gives it, or that it was given before."""
         given = shape._replace(contours=()), view, common, self.rotation, self._unnamed_settings
-        return self._once("motion", shape.contours, given, choose)
+        return self.progress.once("motion", shape.contours, given, choose)
 
     @property
     def _unnamed_settings(self) -> str:
         """The settings that matches depend on, without those that are in the constraints of each pair."""
         named = dict.fromkeys(("pins", "match", "start", "frames", "ends", "ease"))
         return repr(self.settings.replace(**named))
-
-    def _once(self, step: str, objects: Sequence[object], given: Hashable, make: Callable[[], Any]) -> Any:
-        """Return a step made of objects: as it was kept, else as it is made now."""
-        key = step, *map(id, objects), given
-        found = self.progress.steps.find(key)
-        if found is None:
-            found = objects, make()  # as long as the objects are kept, no others have their ids
-            self.progress.steps.keep(key, found, size=0)
-        return found[1]
 
 
 def is_star(settings: Settings) -> bool:
@@ -186,9 +192,9 @@ def match_pairs(paired: PairedDrawings) -> tuple[tuple[ShapeBlend, ...], list[Pl
         paired.match(numbers, paired.rotation, watch_part(watch, k, count))
         for k, numbers in enumerate(paired.pairs)
     ]
-    shapes, places = shape_blends(
-        paired.a.contours, paired.b.contours, matches, paired.changes, paired.riders
-    )
+    sides = paired.a.contours, paired.b.contours
+    overlaps = [paired.progress.once("overlaps", side, (), partial(Overlaps, side)) for side in sides]
+    shapes, places = shape_blends(*sides, matches, paired.changes, paired.riders, overlaps)
     styled = tuple(_in_style(shape, paired.settings.style) for shape in shapes)
     paired.progress.clock.lap("match")
     return styled, places

@@ -77,7 +77,7 @@ class Rates(NamedTuple):
 
     paint: float = PAINT_WEIGHT
     alone: float = ALONE_COST
-    works: dict[tuple[int, int], float] | None = None  # by places in the same two sequences of contours
+    works: dict[tuple[int, int], float] | None = None  # by the numbers of contours of the same two drawings
 
 
 USUAL = Rates()
@@ -214,7 +214,8 @@ class Works:
         wanted = self._worth_solving(cheap)
         for k, m in np.argwhere(wanted & np.isnan(self._costs[some])).tolist():
             i, j = rows[k], columns[m]
-            copies = self._alike[0][i], self._alike[1][j]
+            first = self._alike[0][i], self._alike[1][j]
+            copies = self._a.contours[first[0]].number, self._b.contours[first[1]].number
             if copies not in self._known:
                 p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
                 work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import heapq
 from collections import Counter
+from functools import cached_property
 from itertools import product
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ import numpy as np
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import thin
 from shapeblend_cli.model import Box, Place, Style
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -26,18 +28,36 @@ SAMPLES = 128
 """Maximum number of a contour's vertices that are checked for meeting another contour."""
 
 
+class Overlaps:
+    """Pairs of shapes of one drawing, the lower first, that are visibly on each other, found when they are wanted."""
+
+    def __init__(self, contours: Sequence[PlacedContour]) -> None:
+        """Keep the contours of the drawing."""
+        self._contours = contours
+
+    @cached_property
+    def by_boxes(self) -> list[tuple[int, int]]:
+        """Those whose boxes overlap."""
+        return visible_overlaps(self._contours)
+
+    @cached_property
+    def by_outlines(self) -> list[tuple[int, int]]:
+        """Those that meet, and not only their boxes."""
+        return _without_near_misses(self._contours, self.by_boxes)
+
+
 def paint_places(
-    groups: Sequence[Shapes], sizes: Sequence[float], a: Sequence[PlacedContour], b: Sequence[PlacedContour]
+    groups: Sequence[Shapes], sizes: Sequence[float], overlaps: Sequence[Overlaps]
 ) -> list[Place]:
     """Return the places of groups of contours in the order of paint, from the lowest.
 
     If the drawings contradict each other, a few groups, rather small ones, have a place in A and another one in B.
     """
-    below = visible_overlaps(a), visible_overlaps(b)
+    a, b = overlaps
+    below = a.by_boxes, b.by_boxes
     order = paint_order(groups, *below)
     if order is None:
-        low, high = (_without_near_misses(side, pairs) for side, pairs in zip((a, b), below, strict=True))
-        below = low, high
+        below = a.by_outlines, b.by_outlines
         order = paint_order(groups, *below)
     if order is not None:
         return [Place(k) for k in order]
@@ -200,7 +220,7 @@ def _touch(p: ComplexArray, q: ComplexArray, reach: float) -> bool:
     """Return whether two closed polygons cross, or have vertices within `reach` of each other."""
     if reach and np.abs(p[:, None] - q).min() <= reach:
         return True
-    after_p, after_q = np.roll(p, -1), np.roll(q, -1)
+    after_p, after_q = rolled(p, -1), rolled(q, -1)
 
     def sides(start: ComplexArray, end: ComplexArray, point: ComplexArray) -> FloatArray:
         return ((end - start).conj()[:, None] * (point - start[:, None])).imag

@@ -20,7 +20,7 @@ from shapeblend_cli.pairing.growth import (
     growth_point_inside,
     nearest_paired,
 )
-from shapeblend_cli.pairing.paint_order import paint_places
+from shapeblend_cli.pairing.paint_order import Overlaps, paint_places
 from shapeblend_cli.pairing.riders import Ride, ride
 from shapeblend_cli.pairing.split import AT_EDGE, hole_in_piece
 from shapeblend_cli.wires.contour_blends import grow_from_point
@@ -118,12 +118,14 @@ def shape_blends(
     matches: Sequence[Match],
     changes: Sequence[Change] = (),
     riders: Sequence[Mapping[int, int]] = ({}, {}),
+    overlaps: Sequence[Overlaps] | None = None,
 ) -> tuple[tuple[ShapeBlend, ...], list[Place]]:
     """Put together the contours of two drawings. Return shapes and their places in the order of paint.
 
     Contours of the same shape of A and the same shape of B are painted together. Contours without a partner grow from
     points: with their shape, unless they have a stroke, whose width must grow from 0. Changed shapes have the contours
-    of their change. Riders, numbers of strokes with the numbers of fills for each drawing, follow the fills' edges.
+    of their change. Riders, numbers of strokes with the numbers of fills for each drawing, follow the fills' edges. The
+    overlaps of both drawings may be known.
     """
     groups: dict[_Group, tuple[list[ContourBlend], tuple[Style, Style], Motion | None]] = {}
 
@@ -157,7 +159,8 @@ def shape_blends(
         for group, (blends, styles, motion) in groups.items()
     )
     sizes = [sum(c.polygon_a.box.area + c.polygon_b.box.area for c in shape.contours) for shape in shapes]
-    return shapes, paint_places([shape.sources for shape in shapes], sizes, a, b)
+    overlaps = overlaps or (Overlaps(a), Overlaps(b))
+    return shapes, paint_places([shape.sources for shape in shapes], sizes, overlaps)
 
 
 def _from_a(own: T, other: T, here: int) -> tuple[T, T]:

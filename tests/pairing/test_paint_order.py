@@ -1,9 +1,13 @@
 import pytest
 
-from shapeblend_cli.pairing.paint_order import paint_order, paint_places, visible_overlaps
+from shapeblend_cli.pairing.paint_order import Overlaps, paint_order, paint_places, visible_overlaps
 from tests.support.drawings import contours_of
 
 TWO_COLOURS = 'fill="#fff" stroke="#000"'
+
+
+def overlaps(*drawings):
+    return [Overlaps(contours_of(*paths)) for paths in drawings]
 
 
 @pytest.mark.parametrize(
@@ -40,11 +44,11 @@ def test_shapes_that_meet_in_other_paint_are_above_each_other(lower, x, upper, e
 
 def test_what_lies_in_another_shape_changes_its_place_though_they_do_not_touch():
     disc, dot = '<circle cx="9" cy="9" r="8" fill="#f00"/>', '<circle cx="9" cy="9" r="2" fill="#00f"/>'
-    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], contours_of(disc, dot), contours_of(dot, disc))
+    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], overlaps((disc, dot), (dot, disc)))
     assert sorted((place.shape, place.end) for place in places if place.end is not None) == [(1, 0), (1, 1)]
 
 
 def test_what_lies_beside_another_shape_in_its_box_keeps_its_place():
     corner, dot = '<path d="M2 2H22V4H4V22H2Z" fill="#f00"/>', '<circle cx="14" cy="14" r="2" fill="#00f"/>'
-    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], contours_of(corner, dot), contours_of(dot, corner))
+    places = paint_places([(0, 1), (1, 0)], [64.0, 4.0], overlaps((corner, dot), (dot, corner)))
     assert all(place.end is None for place in places)

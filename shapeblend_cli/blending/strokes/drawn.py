@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
-    from shapeblend_cli.blending.matched import PairedDrawings
+    from shapeblend_cli.blending.matched import PairedDrawings, Progress
     from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.pens.line import PenLine
 
@@ -42,12 +42,12 @@ def with_drawn_strokes(
     numbers: list[range] = []
     for shape in shapes:
         begin = len(found)
-        lines = [_loose_line(contour, placed, scale) for contour in shape.contours]
-        if not carriers or shape.fade is not None or None in lines:
+        may_be_drawn = bool(carriers) and shape.fade is None
+        lines = _loose_lines(shape, placed, paired.progress, scale) if may_be_drawn else None
+        if lines is None:
             found.append(shape)
         else:
             for contour, line in zip(shape.contours, lines, strict=True):
-                assert line is not None
                 drawn = _drawn(line, carriers, is_new=contour.a is None)
                 own = drawn.shape(scale, paired.settings.constants)
                 (path,) = own.contours
@@ -68,15 +68,31 @@ def _carrier(contour: ContourBlend, scale: float) -> Pen:
     return Pen((Straight(ends[0] * scale, ends[1] * scale),), closed=contour.start.closed)
 
 
+def _loose_lines(
+    shape: ShapeBlend, placed: Sequence[dict[int, PlacedContour]], progress: Progress, scale: float
+) -> list[PenLine] | None:
+    """Return the lines of a shape of which each contour is a loose line; None for all others."""
+    lines = []
+    for contour in shape.contours:
+        line = _loose_line(contour, placed, progress, scale)
+        if line is None:
+            return None
+        lines.append(line)
+    return lines
+
+
 def _loose_line(
-    contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], scale: float
+    contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], progress: Progress, scale: float
 ) -> PenLine | None:
     """Return a straight stroke or a slash that grows from a point, or shrinks to one, as a line; else None."""
     if contour.is_matched or not (contour.start if contour.a is None else contour.end).is_point:
         return None
     number, here = (contour.b, 1) if contour.a is None else (contour.a, 0)
     own = placed[here].get(number) if number is not None else None
-    line = None if own is None else _stroke_or_slash(own, placed[here].values(), scale)
+    if own is None:
+        return None
+    others = placed[here].values()
+    line = progress.once("line", (own,), scale, lambda: _stroke_or_slash(own, others, scale))
     if line is None or line.closed or line.length < SHORT * line.width:
         return None
     return line if abs(line.points[-1] - line.points[0]) > STRAIGHT * line.length else None
