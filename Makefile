@@ -31,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-ui bench-lines ends judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-commands bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-ui bench-lines ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -119,6 +119,12 @@ bench: install ## time the solver, whole commands and batches
 bench-stages: install npm ## time the stages of a plain blend in a warm process, beside other tools
 	$(BIN)/python -m tools.stages
 
+PAIRS ?= docs/icons
+OPTIONS ?=
+
+bench-commands: install ## time whole commands for the pairs in the folder PAIRS, with OPTIONS, beside bare imports
+	$(BIN)/python -m tools.commands $(PAIRS) $(OPTIONS)
+
 bench-bent: install ## time frames with bent pictures, in whole commands
 	$(BIN)/python -m tools.bent_pictures
 
@@ -147,7 +153,6 @@ bench-truth: install npm ## measure by letters whose in-betweens are known, or b
 	$(BIN)/python -m tools.quality.truth $(TRUTH) --peers
 
 MORPHS ?= morphs
-OPTIONS ?=
 
 bench-morphs: install npm ## measure by limbs and morphs whose in-betweens are known, or by those in MORPHS, with OPTIONS of the command
 	$(BIN)/python -m tools.quality.truth $(MORPHS) --polygons $(OPTIONS)
