@@ -67,7 +67,7 @@ def blend_shapes(
     if settings.swap == "always" and not (settings.mix or settings.has_spans):
         return swapped(a, b, settings, view.centre, ASKED)
     is_named = bool(settings.match or settings.pins or settings.stiff)
-    pens = _pens(a, b, settings, view)
+    pens = _pens(a, b, settings, view, progress)
     lines = _lines(a, b, pens, settings, view) if is_named else None
     rotation = 0.0
     if settings.motion != "linear" and lines is None:
@@ -244,14 +244,19 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
 
 
 def _pens(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
 ) -> tuple[PenDrawing, PenDrawing] | None:
     """Return two drawings as pen lines, if they may be blended by these and there are any."""
     if not wants_lines(settings):
         return None
     scale = UNITS / view.larger_side
-    pens = pen_drawing(a, scale, MOST_LINES), pen_drawing(b, scale, MOST_LINES)
-    return pens if any(pen.lines for pen in pens) else None
+    pens = tuple(
+        progress.once(
+            "pens", (side.drawing, *side.contours), scale, partial(pen_drawing, side, scale, MOST_LINES)
+        )
+        for side in (a, b)
+    )
+    return (pens[0], pens[1]) if any(pen.lines for pen in pens) else None
 
 
 def _lines(

@@ -118,7 +118,9 @@ class PairedDrawings(NamedTuple):
         contours, copies = shape.contours, self.copies
 
         def curve(blend: ContourBlend) -> ContourBlend:
-            return copies.curved(blend, with_curves) if copies and blend.is_matched else with_curves(blend)
+            if copies and blend.is_matched:
+                return copies.curved(blend, with_curves)
+            return self.progress.once("curve", (blend,), (), lambda: with_curves(blend))
 
         return shape._replace(
             contours=self.progress.once("curves", contours, (), lambda: tuple(map(curve, contours)))

@@ -83,7 +83,7 @@ def _rotated(
     if paired.rotation:
         assert common is not None, "rotated drawings are aligned"
         return RotatedShape(shape, common)
-    rotation = _rotation_of(matched)
+    rotation = _rotation_of(paired, matched)
     if rotation is not None:
         matched, common = paired.match_again(matched, rotation), None
         shape = paired.curved(matched)
@@ -107,7 +107,7 @@ def _turn_parts(
     turns = False
     for numbers in parts if len(parts) > 1 else ():
         part = shape._replace(contours=tuple(contours[k] for k in numbers))
-        rotation = _rotation_of(part)
+        rotation = _rotation_of(paired, part)
         if rotation is None:
             continue
         part = paired.match_again(part, rotation)
@@ -119,10 +119,11 @@ def _turn_parts(
     return (paired.curved(shape._replace(contours=tuple(contours))), tuple(alignments)) if turns else None
 
 
-def _rotation_of(shape: ShapeBlend) -> float | None:
+def _rotation_of(paired: PairedDrawings, shape: ShapeBlend) -> float | None:
     """Return the angle of rotation from A's largest contour to B's; None if B's is no rotated copy."""
     matched = [contour for contour in shape.contours if contour.is_matched]
     if not matched:
         return None
     largest = max(matched, key=lambda contour: contour.scale_a)
-    return rotation_between(largest.polygon_a, largest.polygon_b)
+    polygons = largest.polygon_a, largest.polygon_b
+    return paired.progress.once("rotation", polygons, (), partial(rotation_between, *polygons))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -227,7 +228,10 @@ def scale_and_shift(to_a: Similarity) -> list[float]:
 
 def rounded(values: Iterable[float], decimals: int) -> list[float]:
     """Return numbers as they are written with a number of decimals."""
-    return [float(number(value, decimals)) for value in values]
+    found = [round(value, decimals) + 0.0 for value in values]  # no zero is negative
+    if not all(map(math.isfinite, found)):
+        raise ValueError(f"{found} cannot be written")
+    return found
 
 
 def dot_positions(contour: ContourBlend) -> FloatArray:

@@ -82,7 +82,7 @@ def _blend(order: Order) -> dict[str, Any]:
     maps = place(drawings, settings.place)
     worst = max((grade_of(pair) for pair in pairs), key=lambda grade: grade.number)
     return {
-        "drawings": [_drawing(drawing, k) for k, drawing in enumerate(drawings)],
+        "drawings": [_kept_drawing(drawing, k) for k, drawing in enumerate(drawings)],
         "pairs": [
             _pair(pair, ends, maps, decimals) | {"parts": _parts(pair, drawings, settings)} for pair in pairs
         ],
@@ -147,6 +147,16 @@ def _parts(pair: Pair, drawings: Sequence[Drawing], settings: Settings) -> list[
         {"name": part.name, "shapes": part.shapes, "span": part.span, "is_grouped": part.is_grouped}
         for part in parts_of(pair, drawings, settings, PLAIN.fullmatch)
     ]
+
+
+def _kept_drawing(drawing: Drawing, number: int) -> dict[str, Any]:
+    """Return a drawing as the page shows it, as it was kept or made now."""
+    key = "shown", id(drawing), number
+    found: tuple[Drawing, dict[str, Any]] | None = KEPT.steps.find(key)
+    if found is None:
+        found = drawing, _drawing(drawing, number)  # as long as the drawing is kept, no other has its id
+        KEPT.steps.keep(key, found, size=0)
+    return found[1]
 
 
 def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
