@@ -48,6 +48,7 @@ class Stage:
         self.path = home / _name(os.urandom(6).hex())
         self.new, self.old = self.path / NEW, self.path / OLD
         self.is_kept = False  # for a later run to put back
+        self._is_removed = False
         self._handle: int | None = None
         self._moved: list[str] = []
 
@@ -140,9 +141,10 @@ class Stage:
                     os.rename(before / each, target / each)
 
     def remove(self) -> None:
-        """Take the stage away, unless it is kept."""
-        if not self.is_kept:
+        """Take the stage away, unless it is kept; once is enough."""
+        if not (self.is_kept or self._is_removed):
             _remove(self.path, self.names)
+            self._is_removed = True
         if self._handle is not None:
             os.close(self._handle)
             self._handle = None
