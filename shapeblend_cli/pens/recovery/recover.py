@@ -38,6 +38,9 @@ MOST_SAMPLES = 8000
 WIDEST = 0.14 * UNITS
 """Maximum width of a pen, in units."""
 
+LARGEST = 1.1 * WIDEST
+"""Maximum diameter of a ball that is looked for, in units: a little more than that of one with a pen's width."""
+
 MOST_WIDTHS = 4
 """Maximum number of pens of a region."""
 
@@ -115,10 +118,11 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
         An exterior and its holes, closed chains of cubic segments in units, with the region on their left.
     """
     # Before anything is sampled: drawings far larger than their viewBox would take gigabytes.
-    if sum(float(cubics.lengths(segments).sum()) for segments in contours) > MOST_SAMPLES * STEP:
+    lengths = [cubics.lengths(segments) for segments in contours]
+    if sum(float(each.sum()) for each in lengths) > MOST_SAMPLES * STEP:
         return None
-    samples = _sampled(contours)
-    diameters = ball_diameters(samples.points, samples.normals, 1.5 * WIDEST)
+    samples = _sampled(contours, lengths)
+    diameters = ball_diameters(samples.points, samples.normals, LARGEST)
     in_corner = np.abs(diameters - samples.in_corner) < NEAR_WIDTH * diameters + 0.01
     widths = _pen_widths(diameters, samples.spacing, ~in_corner)
     if not len(widths):
@@ -144,30 +148,27 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
     return checked(lines, region, contours)
 
 
-def _sampled(contours: Sequence[ComplexArray]) -> _Samples:
-    """Sample outlines at the middles of steps of even parameter, so that corners are left out."""
+def _sampled(contours: Sequence[ComplexArray], lengths: Sequence[FloatArray]) -> _Samples:
+    """Sample outlines, of segments of these lengths, at the middles of steps of even parameter: no corners."""
     parts = []
-    for number, segments in enumerate(contours):
-        lengths = cubics.lengths(segments)
-        used = np.flatnonzero(lengths > 1e-9)
-        counts = np.maximum(np.ceil(lengths[used] / STEP), 2).astype(np.intp)
-        segment = np.repeat(used, counts)
-        within = numbered(counts)
-        t = (within + 0.5) / np.repeat(counts, counts)
-        handles = 3.0 * np.diff(segments[segment], axis=1)
+    for number, (segments, own) in enumerate(zip(contours, lengths, strict=True)):
+        used = (own > 1e-9).nonzero()[0]
+        counts = np.maximum(np.ceil(own[used] / STEP), 2).astype(np.intp)
+        count, within = counts.repeat(counts), numbered(counts)
+        t = (within + 0.5) / count
+        points = segments[used.repeat(counts)]
+        handles = 3.0 * (points[:, 1:] - points[:, :-1])
         u = 1.0 - t
         velocity = u * u * handles[:, 0] + 2.0 * u * t * handles[:, 1] + t * t * handles[:, 2]
         speed = np.abs(velocity)
         normals = 1j * velocity / np.where(speed > 0.0, speed, 1.0)
-        spacing = speed / np.repeat(counts, counts)
-        from_ends = spacing * (within + 0.5), spacing * (np.repeat(counts, counts) - within - 0.5)
+        spacing = speed / count
+        from_ends = spacing * (within + 0.5), spacing * (count - within - 0.5)
         corner = _corner_balls(segments[used])
         in_corner = np.minimum(
-            *(np.repeat(at, counts) * away for at, away in zip(corner, from_ends, strict=True))
+            *(at.repeat(counts) * away for at, away in zip(corner, from_ends, strict=True))
         )
-        parts.append(
-            (cubics.evaluate(segments[segment], t), normals, np.full(len(t), number), spacing, in_corner)
-        )
+        parts.append((cubics.evaluate(points, t), normals, np.full(len(t), number), spacing, in_corner))
     return _Samples(*(np.concatenate(each) for each in zip(*parts, strict=True)))
 
 
