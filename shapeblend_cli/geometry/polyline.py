@@ -46,7 +46,7 @@ AT_ONCE = 1 << 20
 
 def from_end_to_end(vertices: ComplexArray, closed: bool) -> ComplexArray:
     """Return the vertices, of a closed polygon with the first repeated at the end."""
-    return np.append(vertices, vertices[0]) if closed else vertices
+    return np.concatenate([vertices, vertices[:1]]) if closed else vertices
 
 
 def cumulative_lengths(points: ComplexArray) -> FloatArray:
@@ -137,8 +137,9 @@ def _interpolate(
 
 def points_at(positions: FloatArray, points: ComplexArray, known: FloatArray) -> ComplexArray:
     """Return points at positions along a polyline, where the positions of its own points are known."""
-    x, y = np.interp(positions, known, points.real), np.interp(positions, known, points.imag)
-    return np.asarray(x + 1j * y)
+    flat = positions.ravel()
+    x, y = interpolated(flat, known, points.real), interpolated(flat, known, points.imag)
+    return (x + 1j * y).reshape(positions.shape)
 
 
 def distinct(points: ComplexArray, closed: bool, distance: float) -> IntArray:

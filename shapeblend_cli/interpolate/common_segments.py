@@ -216,10 +216,11 @@ def _remedies(
     for k in sorted(set(pieces.tolist())):
         within = bad[pieces == k]
         worst = match.positions[within[far[within].argmax()]]
-        ends = np.flatnonzero(merged[k : k + 2] >= 0) + k
-        ends = ends[match.edges_between(cuts[ends], worst[None]) <= NEARBY]
-        apart += merged[ends].tolist()
-        cut = np.clip(worst, cuts[k], cuts[k + 1])
+        ends = (merged[k : k + 2] >= 0).nonzero()[0] + k
+        if len(ends):
+            ends = ends[match.edges_between(cuts[ends], worst[None]) <= NEARBY]
+            apart += merged[ends].tolist()
+        cut = np.minimum(np.maximum(worst, cuts[k]), cuts[k + 1])
         if not len(ends) and (cut > cuts[k]).any() and (cut < cuts[k + 1]).any():
             more.append(cut)
     return apart, more

@@ -75,8 +75,8 @@ class ContinuousMatch:
 
     def piece_at(self, cuts: FloatArray, positions: FloatArray) -> IntArray:
         """Return for each position the number of the piece between cuts on which it lies."""
-        numbers = np.searchsorted(self.progress(cuts), self.progress(positions), side="right") - 1
-        return np.clip(numbers, 0, len(cuts) - 2)
+        numbers = self.progress(cuts).searchsorted(self.progress(positions), side="right") - 1
+        return np.minimum(np.maximum(numbers, 0), len(cuts) - 2)
 
     def edges_between(self, first: FloatArray, second: FloatArray) -> FloatArray:
         """Return the larger of the two distances between positions along A and B, in mean edges."""

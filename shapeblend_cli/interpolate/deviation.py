@@ -50,9 +50,10 @@ def deviation(
     """
     progress = match.own_progress
     cut_progress = match.progress(cuts)
-    counts = LEAST_SAMPLES + 2 * np.diff(np.searchsorted(progress, cut_progress))
-    piece = np.repeat(np.arange(len(counts)), counts)
-    begins = np.cumsum(counts) - counts
+    first = progress.searchsorted(cut_progress)
+    counts = LEAST_SAMPLES + 2 * (first[1:] - first[:-1])
+    piece = np.arange(len(counts)).repeat(counts)
+    begins = counts.cumsum() - counts
     u = (np.arange(len(piece)) - begins[piece]) / counts[piece]
     ends = np.concatenate([piece, [len(counts) - 1]]), np.concatenate([u, [1.0]])
     curve_a, curve_b = (cubics.evaluate(segments[ends[0]], ends[1]) for segments in (segments_a, segments_b))

@@ -143,9 +143,9 @@ def _search_near(problem: Problem, near: IntArray, pins: list[Dot] | None) -> Pa
     walls = _region(problem, pins)
     rows = near
     if closed:  # counted on beyond n; what falls is rounding
-        steps = (np.diff(near) + n // 2) % n - n // 2
-        rows = np.append(0, np.cumsum(steps)) + (int(near[0]) + n // 2) % n - n // 2
-        rows = np.append(rows, rows[0] + n)
+        begin = (int(near[0]) + n // 2) % n - n // 2
+        steps = (near[1:] - near[:-1] + n // 2) % n - n // 2
+        rows = np.concatenate([[begin], begin + steps.cumsum(), [begin + n]])
     rows = np.maximum.accumulate(rows)
     inside = None if pins is None else walls
     region = corridor(

@@ -182,8 +182,8 @@ def diagonal_deviation(dots: IntArray, m: int, n: int, closed: bool) -> float:
 
     The m and n of the equations count edges: an open polygon has one less than vertices.
     """
-    moves = np.diff(dots, axis=0) % (m, n)
-    gone = np.cumsum(moves, axis=0) / ((m, n) if closed else (m - 1, n - 1))
+    moves = (dots[1:] - dots[:-1]) % (m, n)
+    gone = moves.cumsum(axis=0) / ((m, n) if closed else (m - 1, n - 1))
     return float(np.abs(gone[:, 0] - gone[:, 1]).max(initial=0.0))
 
 

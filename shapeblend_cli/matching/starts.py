@@ -67,8 +67,8 @@ def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf
         limit = best.work * (1.0 - ROUNDING) if best else np.inf
 
     # Then runs of neighbouring rows that could still do better.
-    rows = np.flatnonzero(bounds < limit)
-    runs = np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if len(rows) else []
+    rows = (bounds < limit).nonzero()[0]
+    runs = np.split(rows, (rows[1:] - rows[:-1] > 1).nonzero()[0] + 1) if len(rows) else []
     sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
     found = _branch_and_bound(graph, sets, limit, most_swept)
     if found is None and best is not None and graph.swept >= most_swept:

@@ -57,5 +57,5 @@ def unroll(dots: IntArray, period: tuple[int, int] | None) -> FloatArray:
     """
     if period is None:
         return dots.astype(np.float64)
-    steps = np.diff(dots, axis=0, append=dots[:1]) % np.array(period)
-    return np.concatenate([dots[:1], dots[:1] + np.cumsum(steps, axis=0)]).astype(np.float64)
+    steps = (rolled(dots, -1) - dots) % np.array(period)
+    return np.concatenate([dots[:1], dots[:1] + steps.cumsum(axis=0)]).astype(np.float64)

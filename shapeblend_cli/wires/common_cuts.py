@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import tridiagonal
+from shapeblend_cli.geometry.polyline import interpolated, tridiagonal
 from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.solve import NothingLess, is_proven
 from shapeblend_cli.model import unroll
@@ -116,19 +116,20 @@ def _smoothed_path(a: FlatContour, b: FlatContour, dots: IntArray) -> tuple[Floa
     counts = len(a.polygon.vertices), len(b.polygon.vertices)
     positions = unroll(dots, counts if closed else None)
     place_a, place_b = (
-        np.interp(positions[:, k] % counts[k], np.arange(len(own)), own) + positions[:, k] // counts[k]
+        interpolated(positions[:, k] % counts[k], np.arange(float(len(own))), own)
+        + positions[:, k] // counts[k]
         for k, own in enumerate((a.shares, b.shares))
     )
     middle, ahead = 0.5 * (place_a + place_b), place_b - place_a
     turn_a, turn_b = (turns(flat.polygon.vertices, closed)[dots[:, k]] for k, flat in enumerate((a, b)))
     weight = np.where(turn_a * turn_b > 0.0, np.minimum(np.abs(turn_a), np.abs(turn_b)), 0.0)
-    steps = np.maximum(np.diff(middle), SHORTEST_STEP)
+    steps = np.maximum(middle[1:] - middle[:-1], SHORTEST_STEP)
     weight[: len(steps)] += BASE * steps
     if not closed:
         weight[[0, -1]] = FIXED
     smooth = _even_between(ahead[: len(dots)], weight, EVENNESS / steps, closed)
     if closed:
-        smooth = np.append(smooth, smooth[0])
+        smooth = np.concatenate([smooth, smooth[:1]])
     return np.maximum.accumulate(middle - 0.5 * smooth), np.maximum.accumulate(middle + 0.5 * smooth)
 
 
@@ -158,4 +159,4 @@ def _along(places: FloatArray, known: FloatArray, partners: FloatArray, closed: 
     """Return the partners of places on an outline, between known places and partners, both rising."""
     if closed:
         places = known[0] + (places - known[0]) % 1.0
-    return np.interp(places, known, partners)
+    return interpolated(places, known, partners)

@@ -16,7 +16,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_numbers, points_at
+from shapeblend_cli.geometry.polyline import (
+    cumulative_lengths,
+    from_end_to_end,
+    interpolated,
+    nearest_numbers,
+    points_at,
+)
 from shapeblend_cli.matching.solve import Search, least_work, priced
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.wires.common_cuts import refine
@@ -285,7 +291,7 @@ def _with_images(
     rows = np.full((len(new), places.shape[1]), -1, np.intp)
     rows[:, part] = new
     own = shares[new, part]
-    images = np.stack([np.interp(own, known[:, part], column) for column in known.T], axis=1)
+    images = np.stack([interpolated(own, known[:, part], column) for column in known.T], axis=1)
     images[:, part] = own
     return np.concatenate([vertices, rows]), np.concatenate([places, images])
 
