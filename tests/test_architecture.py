@@ -104,6 +104,7 @@ HANDED_DOWN = {
         for motion in ("Rigid", "Intrinsic", "Sweep", "Pen", "Together", "Inlaid", "Posed", "Early")
         for what in ("name", "segments")
     ),
+    "Intrinsic.expect",  # the outlines at all times that a shape is asked for, found together
     "Proof.__call__",  # the lower bound of a `Correspondence`, searched for when it is asked for
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }

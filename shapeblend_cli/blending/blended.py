@@ -169,7 +169,7 @@ def _by_lines_or_outlines(
         shapes = move(paired)
         if _is_free(settings):
             paired, shapes = with_better_pairs(paired, shapes, move, view, works)
-            paired, shapes = with_other_matches(paired, shapes, move, view, works)
+            paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=not is_sign)
         return _with_bodies(paired, shapes, view)
 
     def move(paired: PairedDrawings) -> Shapes:

@@ -42,11 +42,13 @@ def with_other_matches(
     move: Callable[[PairedDrawings], Shapes],
     view: Box,
     works: dict[tuple[int, int], float],
+    *,
+    may_cut: bool,
 ) -> tuple[PairedDrawings, Shapes]:
     """Return paired drawings and their blend, or those of another way to match that the judge prefers in a view.
 
     `move` blends paired drawings, and `works` are those that the ordinary pairing has found. Silhouettes, which have
-    one colour, are also cut to pieces for the parts of the other one.
+    one colour, are also cut to pieces for the parts of the other one if they `may_cut`: not signs drawn with a pen.
     """
     is_fixed = paired.changes or paired.required or paired.copies is not None
     if is_fixed or not is_suspect(usual):
@@ -60,7 +62,7 @@ def with_other_matches(
             least = min(least, _graded(_stiffer(paired, stiffness), move, view), key=_number)
     if least[0] < grade - NEARER:
         found = least
-    pieces = _in_pieces(paired, works)
+    pieces = _in_pieces(paired, works) if may_cut else None
     if pieces is not None:
         stiffnesses = sorted({paired.settings.k_t, least[1].settings.k_t})
         cut = min((_graded(_stiffer(pieces, each), move, view) for each in stiffnesses), key=_number)
