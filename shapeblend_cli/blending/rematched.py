@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.graded import FINE, grade_of_shapes, is_suspect
+from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect
 from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.blending.paced import with_parts_paced
 from shapeblend_cli.blending.pairings import partners_in
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
 
     Shapes = tuple[ShapeBlend, ...]
+
+FLAWED = 1.25
+"""Minimum grade of a blend for other ways to be tried, which take as long as all the rest."""
 
 IN_PLACE = (20.0, 60.0)
 """Stiffnesses against travel that are tried, with which points stay nearer to their places."""
@@ -54,7 +57,7 @@ def with_other_matches(
     if is_fixed or not is_suspect(usual):
         return paired, usual
     grade = _grade(usual, view)
-    if grade <= FINE:
+    if grade < FLAWED:
         return paired, usual
     found = least = grade, paired, usual
     if not paired.settings.is_given("k_t"):
