@@ -54,7 +54,9 @@ def with_other_matches(
     one colour, are also cut to pieces for the parts of the other one if they `may_cut`: not signs drawn with a pen.
     """
     is_fixed = paired.changes or paired.required or paired.copies is not None
-    if is_fixed or not is_suspect(usual):
+    # Two single outlines hardly ever gain by it, and to draw and grade them takes time.
+    is_plain_pair = len(paired.a.contours) == len(paired.b.contours) == 1
+    if is_fixed or is_plain_pair or not is_suspect(usual):
         return paired, usual
     grade = _grade(usual, view)
     if grade < FLAWED:
