@@ -288,8 +288,9 @@ def _say_if_swapped(job: Job, run: Run, note: Callable[[str], None]) -> None:
         return
     for pair in run.pairs:
         if is_swapped(pair.shapes):
-            files = f"{job.files[pair.a]} and {job.files[pair.b]}"
-            note(f"{files}: too little in common for a blend, so one shrinks and the other grows; see --swap")
+            note(
+                f"{_files(job, pair)}: too little in common for a blend, so one shrinks and the other grows; see --swap"
+            )
 
 
 def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:
@@ -305,13 +306,18 @@ def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:
     grade, pair = max(graded, key=lambda each: each[0].number)
     if not grade.is_poor:
         return
-    files = f"{job.files[pair.a]} and {job.files[pair.b]}"
+    files = _files(job, pair)
     sheet = "" if job.write.tries else ", and --try FILE.svg shows other blends"
     why = f": {grade.why}" if grade.why else ""
     problem = f"the in-betweens look poor, grade {grade.number:.1f}{why}; --pin or --match may help{sheet}"
     if is_asked:
         raise InputError(files, problem)
     note(f"{files}: {problem}")
+
+
+def _files(job: Job, pair: Pair) -> str:
+    """Name the files of a pair."""
+    return f"{job.files[pair.a]} and {job.files[pair.b]}"
 
 
 @contextmanager
