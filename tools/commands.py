@@ -7,8 +7,6 @@ processor, the least of `ROUNDS`; both kinds of command take turns.
 from __future__ import annotations
 
 import json
-import resource
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -17,6 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tools.quality.data import ROOT
+from tools.quality.times import processor_time
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -32,14 +31,6 @@ SLOWEST = 5
 IMPORTS = ["-c", "import numpy, click"]
 
 
-def seconds(arguments: Sequence[str]) -> float:
-    """Return the seconds that processors work for a command of Python."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *arguments], check=True, capture_output=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def multiples(folder: Path, options: Sequence[str]) -> dict[str, float]:
     """Return what the commands of a folder's pairs take, as multiples of the imports, by the names of the pairs."""
     found = {}
@@ -47,7 +38,10 @@ def multiples(folder: Path, options: Sequence[str]) -> dict[str, float]:
         for pair in json.loads((folder / "pairs.json").read_text("utf-8")):
             files = [str(folder / pair[side]) for side in "ab"]
             command = ["-m", "shapeblend_cli", *files, "-q", "--force", "-o", f"{out}/x.svg", *options]
-            runs = [(seconds(command), seconds(IMPORTS)) for _ in range(ROUNDS)]
+            runs = [
+                [processor_time([sys.executable, *each], capture_output=True) for each in (command, IMPORTS)]
+                for _ in range(ROUNDS)
+            ]
             ours, imports = map(min, zip(*runs, strict=True))
             found[pair["id"]] = ours / imports
     return found
