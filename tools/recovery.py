@@ -93,15 +93,17 @@ def stroked(line: PenLine, scale: float) -> BaseGeometry:
     return course.buffer(line.width / scale / 2.0, cap_style=cap, join_style=join)
 
 
-def measured(file: Path) -> Icon:
-    """Recover the lines of an icon, and compare them with it."""
+def measured(file: Path) -> Icon | None:
+    """Recover the lines of an icon, and compare them with its fill; None if it has none."""
     drawing = sb.read(file)
+    region = filled(drawing)
+    if region.is_empty:
+        return None
     taken = []
     for _ in range(REPEATS):
         begin = time.process_time()
         pens, scale = file_pens(drawing)
         taken.append(time.process_time() - begin)
-    region = filled(drawing)
     lines = union_all([stroked(line, scale) for line in pens.lines])
     overlap = (lines & region).area / (lines | region).area
     return Icon(is_drawn_with_a_pen(region), overlap, len(pens.lines), 1000.0 * min(taken))
@@ -156,7 +158,14 @@ HEADER = (
 def main() -> None:
     with tempfile.TemporaryDirectory() as temporary:
         folders = [Path(each) for each in sys.argv[1:]] or list(icon_folders(Path(temporary)))
-        rows = [row(each.name, [measured(file) for file in sorted(each.glob("*.svg"))]) for each in folders]
+        rows = []
+        for folder in folders:
+            icons = [icon for file in sorted(folder.glob("*.svg")) if (icon := measured(file))]
+            if not icons:
+                sys.exit(
+                    f"{folder}: no SVG file with a filled shape in it; a folder of such icons would work"
+                )
+            rows.append(row(folder.name, icons))
     print(Table(HEADER, rows).markdown(), end="")
 
 
