@@ -88,15 +88,12 @@ def blend_shapes(
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
 
+    may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
+    may_swap = may_swap and (lines is None or lines.kept < KEPT)
+
     def usual() -> Shapes:
         shapes = _by_lines_or_outlines(a, b, settings, view, progress, pens, lines)
-        may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
-        if (
-            may_swap
-            and pens
-            and (lines is None or lines.kept < KEPT)
-            and _are_too_unlike(a, b, shapes, pens, view)
-        ):
+        if may_swap and pens and _are_too_unlike(a, b, shapes, pens, view):
             return swapped(a, b, settings, view.centre)
         return shapes
 

@@ -22,7 +22,7 @@ FINE = 0.75
 BETTER = 0.2
 """Minimum advantage of another blend over the ordinary one for it to be taken, in grades."""
 
-SWAPPED = 1.0
+SWAP_GRADE = 1.0
 """Grade of drawings that take each other's place: whole and clean, though nothing becomes anything."""
 
 SUSPECT = 0.2
@@ -41,7 +41,7 @@ def grade_of(pair: Pair) -> Grade:
     from shapeblend_cli.grading.painting import picture
 
     if is_swapped(pair.shapes):
-        return Grade(SWAPPED, None)
+        return Grade(SWAP_GRADE, None)
     view, pair = Box.union(list(pair.views)), with_outlined_text(pair)
     return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)])
 

@@ -64,7 +64,7 @@ FLAT = 0.02
 POINTS = 4
 """Number of points on each segment between which its directions are compared."""
 
-WHOLE = ("rigid", "flip")
+TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
 
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
@@ -100,8 +100,8 @@ def swapped(
 
 def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
     """Return whether most of some lines lies on others, as a minus does on a plus."""
-    points = np.concatenate([evenly(line.outline, STEP) for line in lines])
-    near = np.any([are_near(points, line.outline, 0.5 * line.width) for line in others], axis=0)
+    points = np.concatenate([evenly(line.drawn, STEP) for line in lines])
+    near = np.any([are_near(points, line.drawn, 0.5 * line.width) for line in others], axis=0)
     return bool(near.mean() > COVERED)
 
 
@@ -115,19 +115,18 @@ def least_grade(shapes: Shapes) -> float:
 
     bent = 0.0
     for shape in shapes:
-        if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in WHOLE:
+        if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in TURNING:
             continue
-        for contour in filter(_is_matched_line, shape.contours):
+        for contour in shape.contours:
+            are_rings = _are_rings(contour)
+            if not contour.is_matched or all(are_rings):
+                continue
             bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
-            if bending > MOST_BENT and any(_are_rings(contour)):
+            if bending > MOST_BENT and any(are_rings):
                 return SENT_BACK
             bent = max(bent, bending)
     is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
     return UNREADABLE if is_unlike else np.inf
-
-
-def _is_matched_line(contour: ContourBlend) -> bool:
-    return contour.is_matched and not all(_are_rings(contour))
 
 
 def _are_rings(contour: ContourBlend) -> tuple[bool, bool]:

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import shapeblend_cli as sb
-from shapeblend_cli.blending.graded import SWAPPED as GRADE
-from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swapped import ASKED, SHARE, SWAPPED, is_swapped
 from shapeblend_cli.cli import run
 from shapeblend_cli.interpolate.paths import paths_at
@@ -37,7 +36,7 @@ def test_sheets_that_would_fold_to_a_check_mark_make_room_for_it(icons):
     (pair,) = blend.pairs
     assert {shape.reason for shape in pair.shapes} == {SWAPPED}
     (other,) = blended(f"{icons}/{COPY}", f"{icons}/{CHECK}", swap="never").pairs
-    assert grade_of(pair).number == GRADE < grade_of(other).number
+    assert grade_of(pair).number == SWAP_GRADE < grade_of(other).number
 
 
 @pytest.mark.parametrize(("a", "b"), RELATED)
