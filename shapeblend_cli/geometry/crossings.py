@@ -77,9 +77,13 @@ APART, CROSSING, TOUCHING = 0, 1, 2
 
 def polygon_crossings(polygons: Sequence[Polygon], most: int | None = None) -> int:
     """Count how often polygons cross themselves and each other, up to `most`, see `path_crossings`."""
-    points = [from_end_to_end(polygon.vertices, polygon.closed) for polygon in polygons]
-    starts = np.concatenate([[0], np.cumsum([len(chain) for chain in points])])
-    return _count(np.concatenate(points), starts, NOISE, most)
+    return line_crossings([from_end_to_end(polygon.vertices, polygon.closed) for polygon in polygons], most)
+
+
+def line_crossings(lines: Sequence[ComplexArray], most: int | None = None) -> int:
+    """Count how often polylines cross themselves and each other, up to `most`, see `path_crossings`."""
+    starts = np.concatenate([[0], np.cumsum([len(line) for line in lines])])
+    return _count(np.concatenate(lines), starts, NOISE, most)
 
 
 def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:

@@ -77,6 +77,9 @@ EXACT = 0.012
 SMOOTH = 0.04
 """Tolerance of lines that are drawn on or back, in units. An animation has a waypoint for each of their vertices."""
 
+CORNERS_FIRST = 0.5
+"""Weight of the distances that points go if as many corners go to corners: a bend beside a corner shows."""
+
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
@@ -286,7 +289,10 @@ def alike(a: ComplexArray, b: ComplexArray, *, by_corners: bool = True) -> tuple
         p, q = at(a, shares * sizes[0]), at(b, np.interp(shares, x, y) * sizes[1])
         steps = np.diff(shares)
         squares = np.abs(p - q) ** 2
-        tries.append((float((steps * (squares[1:] + squares[:-1])).sum()), p, q))
+        work = float((steps * (squares[1:] + squares[:-1])).sum())
+        if len(x) > 2 and len(bends[0]) == len(bends[1]):
+            work *= CORNERS_FIRST
+        tries.append((work, p, q))
     _, p, q = min(tries, key=lambda each: each[0])
     return thinned(p, q)
 

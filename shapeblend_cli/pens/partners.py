@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.geometry.crossings import line_crossings
 from shapeblend_cli.pairing.costs import assign
-from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length
+from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, part_of
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
+from shapeblend_cli.pens.moves import alike
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -19,6 +21,12 @@ if TYPE_CHECKING:
 
 CUT_COST = 0.25
 """Cost of cutting lines at their corners, as a share of their length."""
+
+CROSSING_COST = 8.0
+"""Cost of lines that cross on their way and at neither end, in units: they look scrambled."""
+
+CROSSING_TIMES = (0.3, 0.5, 0.7)
+"""Times at which lines are looked at for crossings."""
 
 MOST_CORNERS = 3
 """Maximum number of corners of a line that is cut at them."""
@@ -106,10 +114,30 @@ def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[comple
             continue
         work, pairs = _assigned(some, others, centres)
         cuts = CUT_COST * sum(line.length for line in (*(a if cut_a else ()), *(b if cut_b else ())))
-        if best is None or work + cuts < best[0]:
-            best = work + cuts, Assignment(some, others, pairs)
+        work += cuts + CROSSING_COST * _new_crossings(some, others, pairs)
+        if best is None or work < best[0]:
+            best = work, Assignment(some, others, pairs)
     assert best is not None
     return best[1]
+
+
+def _new_crossings(a: Sequence[PenLine], b: Sequence[PenLine], pairs: Sequence[Partners]) -> int:
+    """Return how much more often paired lines cross on straight ways than at either end."""
+    if len(pairs) < 2:
+        return 0
+    ends = [
+        alike(_without_caps(pair.points_a, a[pair.a]), _without_caps(pair.points_b, b[pair.b]))
+        for pair in pairs
+    ]
+    counts = [line_crossings([p + t * (q - p) for p, q in ends]) for t in (0.0, *CROSSING_TIMES, 1.0)]
+    return max(0, max(counts[1:-1]) - max(counts[0], counts[-1]))
+
+
+def _without_caps(points: ComplexArray, line: PenLine) -> ComplexArray:
+    """Return a polyline without half a width at either end: a line that ends on another one may stick out."""
+    whole = length(points)
+    cap = min(0.5 * line.width, 0.25 * whole)
+    return points if line.closed else part_of(points, False, cap, whole - cap)
 
 
 def _cut(lines: Sequence[PenLine]) -> list[PenLine]:

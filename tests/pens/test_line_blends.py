@@ -8,6 +8,7 @@ import pytest
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import frame_at, shapes_at
+from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
@@ -341,3 +342,11 @@ def test_pieces_of_a_line_paint_its_mitre_where_they_meet():
     assert sorted(beyond, key=lambda z: z.real) == pytest.approx(
         [(-1 + 1j) / 2**0.5, (1 + 1j) / 2**0.5], abs=1e-3
     )
+
+
+def test_the_head_of_an_arrow_turns_over_to_a_check_mark_and_nothing_crosses():
+    icons = "docs/icons/lucide"
+    (pair,), _ = match_all([read(f"{icons}/{name}.svg") for name in ("arrow-up", "check")], Settings())
+    assert reasons(pair) == [BECOMES, DRAWN_BACK]
+    for t in TIMES:
+        assert path_crossings([path for shape in shapes_at(pair, t) for path in shape.paths]) == 0

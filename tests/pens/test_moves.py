@@ -11,7 +11,7 @@ from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
-from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS, becoming
+from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS, alike, becoming
 from shapeblend_cli.pens.splits import COPY
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
@@ -239,3 +239,11 @@ def test_an_open_line_that_ends_where_it_begins_becomes_a_ring_of_any_number_of_
         motion = becoming(*lines, *points).motion
         for t, end in ((0.0, points[0]), (1.0, points[1])):
             assert np.abs(end[:, None] - motion.points(t)).min(axis=1).max() < 0.1
+
+
+def test_a_corner_goes_to_a_corner_even_if_the_legs_are_of_other_lengths():
+    head, check = np.array([5 + 12j, 12 + 5j, 19 + 12j]), np.array([4 + 12j, 9 + 17j, 20 + 6j])
+    a, b = alike(head, check)
+    assert len(a) == 3
+    assert a == pytest.approx(head)
+    assert b == pytest.approx(check)
