@@ -41,13 +41,16 @@ MOST_ALONE = 0.28
 """Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
 
 UNREADABLE = 1.8
-"""Minimum grade of a blend of two signs, a line of which is bent too much, for one to take the other's place."""
+"""Minimum grade of a blend of two signs, where lines that split or come and go are bent, for them to be swapped."""
 
-SENT_BACK = 1.5
-"""Minimum grade of such a blend if the line comes of a ring; or of a solid drawing that shrivels to a stroke."""
+SENT_BACK = 1.45
+"""Minimum grade of a blend of two signs, a line of which is bent very much, or of one that shrivels to a stroke."""
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
+
+STRAIGHT = 0.2
+"""Maximum change of the turns along a line beside a corner that opens and turns over, in radians."""
 
 SAME_LENGTH = 0.95
 """Minimum ratio of the lengths of an open line that may become its own mirror image, such as a bracket."""
@@ -109,7 +112,8 @@ def least_grade(shapes: Shapes) -> float:
     """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
 
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
-    the ring of a play button, may straighten, but for wavy ones. Where much comes and goes there must be less bending.
+    the ring of a play button, may straighten, but for wavy ones. Where much comes
+    and goes there must be less bending.
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
@@ -122,7 +126,7 @@ def least_grade(shapes: Shapes) -> float:
             if not contour.is_matched or all(are_rings):
                 continue
             bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
-            if bending > MOST_BENT and any(are_rings):
+            if bending > MOST_BENT and shape.reason != COPY:
                 return SENT_BACK
             bent = max(bent, bending)
     is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
@@ -150,7 +154,8 @@ def _share_alone(shapes: Shapes) -> float:
 def _bending(contour: ContourBlend, least: float) -> float:
     """Return the spread of the turns of a line's directions, in radians.
 
-    It is 0 if an open line keeps its length, or if the changes from turn to turn are at most `least` in all.
+    It is 0 if an open line keeps its length, if it has one corner that turns over between straight legs, or if the
+    changes from turn to turn are at most `least` in all.
     """
     ends = [_points(path.segments) for path in (contour.start, contour.end)]
     edges = [np.diff(points) for points in ends]
@@ -161,7 +166,8 @@ def _bending(contour: ContourBlend, least: float) -> float:
     if not seen.any():
         return 0.0
     turns = np.unwrap(np.angle(edges[1][seen] / edges[0][seen]))
-    if np.abs(np.diff(turns)).sum() <= least:
+    steps = np.abs(np.diff(turns))
+    if steps.sum() <= max(least, steps.max() + STRAIGHT):
         return 0.0
     weights = np.abs(edges[0][seen]) / lengths[0] + np.abs(edges[1][seen]) / lengths[1]
     mean = np.average(turns, weights=weights)

@@ -22,6 +22,7 @@ RELATED = [
     ("lucide/sun.svg", "lucide/moon.svg"),
     ("bootstrap/bell.svg", "bootstrap/bell-slash.svg"),
     ("lucide/search.svg", "lucide/x.svg"),
+    ("lucide/arrow-up.svg", "lucide/check.svg"),
 ]
 CIRCLED = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 
@@ -37,6 +38,18 @@ def test_sheets_that_would_fold_to_a_check_mark_make_room_for_it(icons):
     assert {shape.reason for shape in pair.shapes} == {SWAPPED}
     (other,) = blended(f"{icons}/{COPY}", f"{icons}/{CHECK}", swap="never").pairs
     assert grade_of(pair).number == SWAP_GRADE < grade_of(other).number
+
+
+def test_dots_that_would_curl_up_to_become_a_cross_make_room_for_it(tmp_path):
+    stroke = '<path d="{}" fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"/>'
+    dots = "".join(
+        f'<circle cx="{x}" cy="12" r="1" fill="none" stroke="#000" stroke-width="2"/>' for x in (5, 12, 19)
+    )
+    files = tmp_path / "dots.svg", tmp_path / "cross.svg"
+    for file, drawn in zip(files, (dots, stroke.format("M18 6 6 18M6 6l12 12")), strict=True):
+        file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{drawn}</svg>')
+    (pair,) = sb.blend(*files).pairs
+    assert is_swapped(pair.shapes)
 
 
 @pytest.mark.parametrize(("a", "b"), RELATED)
