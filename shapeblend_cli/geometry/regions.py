@@ -38,18 +38,15 @@ def count_regions(picture: IntArray, least: int) -> tuple[int, int]:
     holes : int
         Regions of the ground that do not reach the border.
     """
-    rows, columns = picture.shape
     numbers = np.ascontiguousarray(picture, dtype=np.intc)
-    parents = np.arange(rows * columns, dtype=np.intc)
+    parents = np.arange(numbers.size, dtype=np.intc)
+    sizes = np.zeros(numbers.size, np.intc)
+    framed = np.zeros(numbers.size, np.intc)
     _join(numbers, parents)
-    sizes = np.bincount(parents, minlength=rows * columns)
-    border = np.zeros(rows * columns, np.bool_)
-    framed = parents.reshape(rows, columns)
-    for edge in (framed[0], framed[rows - 1], framed[:, 0], framed[:, columns - 1]):
-        border[edge] = True
+    _measure(parents.reshape(numbers.shape), sizes, framed)
     roots = np.flatnonzero(sizes >= least)
     ground = numbers.ravel()[roots] == 0
-    return int((~ground).sum()), int((ground & ~border[roots]).sum())
+    return int((~ground).sum()), int((ground & (framed[roots] == 0)).sum())
 
 
 def _join(numbers: cython.int[:, ::1], parents: cython.int[::1]) -> None:
@@ -61,13 +58,30 @@ def _join(numbers: cython.int[:, ::1], parents: cython.int[::1]) -> None:
     for row in range(rows):
         for column in range(columns):
             at: cython.int = cython.cast(cython.int, row * columns + column)
-            if column > 0 and numbers[row, column] == numbers[row, column - 1]:
-                _unite(parents, at, at - 1)
-            if row > 0 and numbers[row, column] == numbers[row - 1, column]:
+            number: cython.int = numbers[row, column]
+            is_left: cython.bint = column > 0 and numbers[row, column - 1] == number
+            is_above: cython.bint = row > 0 and numbers[row - 1, column] == number
+            if is_left:
+                parents[at] = parents[at - 1]
+            # Where the pixel between them is also alike, both are in one region already.
+            if is_above and not (is_left and numbers[row - 1, column - 1] == number):
                 _unite(parents, at, at - cython.cast(cython.int, columns))
     k: cython.Py_ssize_t
     for k in range(parents.shape[0]):
         parents[k] = _root(parents, cython.cast(cython.int, k))
+
+
+def _measure(roots: cython.int[:, ::1], sizes: cython.int[::1], framed: cython.int[::1]) -> None:
+    """Count the pixels of each region, by its first pixel, and those of them at the border."""
+    last_row: cython.Py_ssize_t = roots.shape[0] - 1
+    last_column: cython.Py_ssize_t = roots.shape[1] - 1
+    row: cython.Py_ssize_t
+    column: cython.Py_ssize_t
+    for row in range(last_row + 1):
+        for column in range(last_column + 1):
+            root: cython.int = roots[row, column]
+            sizes[root] += 1
+            framed[root] += row == 0 or row == last_row or column == 0 or column == last_column
 
 
 @cython.cfunc

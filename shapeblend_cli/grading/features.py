@@ -133,17 +133,20 @@ def _edges(pictures: PictureArray) -> FloatArray:
 
 def _thickness(solid: BoolArray) -> FloatArray:
     """Return the greatest thickness in each picture, in its sides: how often its ink can be eroded."""
-    ink = np.pad(solid, ((0, 0), (1, 1), (1, 1)))
-    rounds = np.zeros(len(ink))
-    while (left := ink.any(axis=(1, 2))).any():
-        rounds += left
-        inner = (
-            ink[:, 1:-1, 1:-1] & ink[:, :-2, 1:-1] & ink[:, 2:, 1:-1] & ink[:, 1:-1, :-2] & ink[:, 1:-1, 2:]
-        )
-        if rounds.max() % 2:  # square and diamond in turn: an octagon
-            inner &= ink[:, :-2, :-2] & ink[:, 2:, 2:] & ink[:, :-2, 2:] & ink[:, 2:, :-2]
-        ink = np.pad(inner, ((0, 0), (1, 1), (1, 1)))
-    return rounds / solid.shape[1]
+    return np.array([_erosions(one) for one in solid]) / solid.shape[1]
+
+
+def _erosions(solid: BoolArray) -> int:
+    """Return how often the ink of a picture can be eroded; its pixels are the bits of one number, row after row."""
+    row = solid.shape[1] + 1  # what leaves a row at its end is in an empty column
+    ink = int.from_bytes(np.packbits(np.pad(solid, ((0, 0), (0, 1)))).tobytes(), "big")
+    rounds = 0
+    while ink:
+        rounds += 1
+        across = ink & ink << 1 & ink >> 1
+        column = across if rounds % 2 else ink  # square and diamond in turn: an octagon
+        ink = across & column << row & column >> row
+    return rounds
 
 
 def _colours(on_white: PictureArray, solid: BoolArray) -> IntArray:

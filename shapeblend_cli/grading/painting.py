@@ -8,12 +8,11 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
-    from shapeblend_cli.model import Box, ComplexArray, CubicPath, PaintedShape, PictureArray, Style
+    from shapeblend_cli.model import Box, ComplexArray, CubicPath, IntArray, PaintedShape, PictureArray, Style
 
 SIDE = 96
 """Number of pixels along each side of a picture."""
@@ -23,6 +22,14 @@ CHORDS = 6
 
 CORNERS = 8
 """Number of corners of the polygon that stands for a round join."""
+
+
+class _Outlines(NamedTuple):
+    """Points along the paths of a shape."""
+
+    points: ComplexArray
+    following: ComplexArray  # the point after each, round its path
+    bounds: IntArray  # where each path begins, and where the last one ends
 
 
 class _Layer(NamedTuple):
@@ -52,44 +59,58 @@ def picture(shapes: Sequence[PaintedShape], view: Box) -> PictureArray:
     """
     step = view.larger_side / SIDE
     corner = view.centre - 0.5 * SIDE * step * (1.0 + 1.0j)
-    painted = np.zeros((4, SIDE * SIDE), np.float32)
-    for shape in shapes:
+    painted = np.zeros((SIDE * SIDE, 4), np.float32)
+    for shape, outlines in zip(shapes, _outlines(shapes), strict=True):
         for style in (shape.below, shape.style):
             if style is not None:
-                for layer in _layers(shape.paths, style):
+                for layer in _layers(shape.paths, outlines, style):
                     numbers = winding_grid(layer.starts, layer.ends, corner, step, SIDE)
                     inside = np.flatnonzero(numbers % 2 != 0 if layer.rule == "evenodd" else numbers != 0)
-                    for channel, value in zip(painted, (*layer.colour, 1.0), strict=True):
-                        channel[inside] += layer.opacity * (value - channel[inside])
-    return painted.reshape(4, SIDE, SIDE)
+                    colour = np.array((*layer.colour, 1.0), np.float32)
+                    under = painted.take(inside, axis=0)
+                    painted[inside] = under + layer.opacity * (colour - under)
+    return np.ascontiguousarray(painted.T).reshape(4, SIDE, SIDE)
 
 
-def _layers(paths: Sequence[CubicPath], style: Style) -> list[_Layer]:
+def _outlines(shapes: Sequence[PaintedShape]) -> Iterator[_Outlines]:
+    """Yield points along the paths of each shape: the ends of lines, and of chords of curves."""
+    paths = [path for shape in shapes for path in shape.paths]
+    if not paths:
+        return
+    segments = np.concatenate([path.segments for path in paths])
+    last = np.cumsum([len(path.segments) for path in paths]) - 1
+    points = np.empty((len(segments), CHORDS + 1), np.complex128)
+    points[:, :CHORDS] = cubics.evaluate(segments[:, None, :], np.arange(CHORDS) / CHORDS)
+    points[:, CHORDS] = segments[:, 3]
+    keep = np.zeros(points.shape, np.bool_)
+    keep[:, 0] = True
+    keep[~np.concatenate([path.straight for path in paths]), :CHORDS] = True
+    keep[last, CHORDS] = True
+    found = points[keep]
+    bounds = np.append(0, keep.sum(axis=1).cumsum()[last])
+    following = np.append(found[1:], found[:1])
+    following[bounds[1:] - 1] = found[bounds[:-1]]
+    number = 0
+    for shape in shapes:
+        own = bounds[number : number + len(shape.paths) + 1]
+        number += len(shape.paths)
+        all_own = slice(own[0], own[-1])
+        yield _Outlines(found[all_own], following[all_own], own - own[0])
+
+
+def _layers(paths: Sequence[CubicPath], outlines: _Outlines, style: Style) -> list[_Layer]:
     """Return the regions of a fill and of a stroke."""
     found = []
-    lines = [_points(path) for path in paths]
+    points, following, bounds = outlines
     fill, stroke = style.paints
     if fill.colour is not None and fill.opacity > 0.0:
-        after = [rolled(line, -1) for line in lines]
-        found.append(
-            _Layer(
-                np.concatenate(lines), np.concatenate(after), style.fill_rule, _rgb(fill.colour), fill.opacity
-            )
-        )
+        found.append(_Layer(points, following, style.fill_rule, _rgb(fill.colour), fill.opacity))
     if stroke.colour is not None and stroke.opacity > 0.0 and style.stroke_width > 0.0:
+        lines = np.split(points, bounds[1:-1])
         corners = [_stroked(line, path.closed, style) for line, path in zip(lines, paths, strict=True)]
         starts, ends = (np.concatenate(side) for side in zip(*corners, strict=True))
         found.append(_Layer(starts, ends, "nonzero", _rgb(stroke.colour), stroke.opacity))
     return found
-
-
-def _points(path: CubicPath) -> ComplexArray:
-    """Return points along a path: the ends of its lines, and of chords of its curves."""
-    t = np.arange(CHORDS) / CHORDS
-    points = cubics.evaluate(path.segments[:, None, :], t)
-    keep = np.ones(points.shape, np.bool_)
-    keep[path.straight, 1:] = False
-    return np.append(points[keep], path.segments[-1, 3])
 
 
 def _stroked(line: ComplexArray, closed: bool, style: Style) -> tuple[ComplexArray, ComplexArray]:
