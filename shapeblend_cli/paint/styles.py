@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 from shapeblend_cli.model import Paint, Pattern, Picture
@@ -19,6 +20,9 @@ MOST_DASHES = 64
 
 INSTANT = 1e-4
 """Share of the time from key to key in which a value changes at once."""
+
+MOST_KNOWN = 512
+"""Maximum number of blended styles that are kept: many shapes have the same ones, and the judge asks several times."""
 
 NO_PAINT = Paint(None, 1.0)
 
@@ -64,10 +68,15 @@ def blend_styles(a: Style, b: Style, t: float) -> tuple[Style, Style | None]:
     return plain.painted(fill, stroke), plain.painted(fill_below, stroke_below or NO_PAINT)
 
 
+_known_styles = lru_cache(MOST_KNOWN)(blend_styles)
+
+
 def shape_styles(shape: ShapeBlend, t: float) -> tuple[Style, Style | None]:
     """Return the paint of a shape at time t, as `blend_styles` does, with its fade."""
-    t = min(max(shape.own_time(t), 0.0), 1.0)
-    above, below = blend_styles(shape.style_a, shape.style_b, t)
+    t, styles = min(max(shape.own_time(t), 0.0), 1.0), (shape.style_a, shape.style_b)
+    # What is painted with pictures would be kept for longer than its drawing.
+    blend = blend_styles if any(style.has_pictures for style in styles) else _known_styles
+    above, below = blend(*styles, t)
     if shape.fade is None:
         return above, below
     share = shape.fade.share(t)
