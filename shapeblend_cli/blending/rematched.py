@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 FLAWED = 1.25
 """Minimum grade of a blend for other ways to be tried, which take as long as all the rest."""
 
+LARGE = 0.5
+"""Minimum size of a shape with wrong outlines, in sides of the view: the grade hardly depends on smaller ones."""
+
 IN_PLACE = (20.0, 60.0)
 """Stiffnesses against travel that are tried, with which points stay nearer to their places."""
 
@@ -56,7 +59,8 @@ def with_other_matches(
     is_fixed = paired.changes or paired.required or paired.copies is not None
     # Two single outlines hardly ever gain by it, and to draw and grade them takes time.
     is_plain_pair = len(paired.a.contours) == len(paired.b.contours) == 1
-    if is_fixed or is_plain_pair or not is_suspect(usual):
+    large = [shape for shape in usual if shape.size >= LARGE * view.larger_side]
+    if is_fixed or is_plain_pair or not is_suspect(large):
         return paired, usual
     grade = _grade(usual, view)
     if grade < FLAWED:

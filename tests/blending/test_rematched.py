@@ -44,6 +44,11 @@ def test_nothing_is_cut_for_what_is_elsewhere(monkeypatch):
     assert alone(pair_of(A, B)) == 2
 
 
+def test_nothing_is_matched_again_for_a_small_part(monkeypatch):
+    monkeypatch.setattr(rematched, "LARGE", 1.1)
+    assert alone(pair_of(A, B)) == 2
+
+
 def test_what_users_ask_for_is_left_as_it_is():
     assert alone(pair_of(A, B, unmatched="point")) == 2
     assert alone(pair_of(A, B, motion="linear")) == 2
