@@ -62,7 +62,8 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
             terminal.note(line)
         if given["ends"] and job.output.format.plays:
             terminal.note("--ends adds nothing here: animations begin and end with the drawings")
-        run = blend_files(job, terminal.note, terminal.warn, terminal.progress)
+        note = None if printed.quiet else terminal.note
+        run = blend_files(job, note, terminal.warn, terminal.progress)
         if sys.stderr is not None and sys.stderr.isatty():
             for line in results(job, sum(run.clock.seconds.values())):
                 terminal.note(line)

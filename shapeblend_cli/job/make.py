@@ -82,14 +82,14 @@ class Made(NamedTuple):
 
 def blend_files(
     job: Job,
-    note: Callable[[str], None],
+    note: Callable[[str], None] | None,
     warn: Callable[[str], None],
     progress: Callable[[str, float], None],
 ) -> Run:
     """Read files, blend each with the next, and write all outputs or none.
 
-    `note` takes what the user should know, a line at a time, and `warn` what even one who wants to read little should;
-    `progress` takes the name of a stage and the share of it that is done, 0 to 1.
+    `note` takes what the user should know, a line at a time, and is None if nobody reads it; `warn` takes what even one
+    who wants to read little should; `progress` takes the name of a stage and the share of it that is done, 0 to 1.
     """
     check_libraries(job)
     check_files_of(job)
@@ -126,7 +126,7 @@ def _check(targets: Iterable[Path], files: Sequence[str], force: bool) -> None:
 def make(
     job: Job,
     clock: Clock,
-    note: Callable[[str], None],
+    note: Callable[[str], None] | None,
     progress: Callable[[str, float], None] = lambda stage, share: None,
     sources: Mapping[str, bytes] = MappingProxyType({}),
     kept: Kept | None = None,
@@ -139,7 +139,8 @@ def make(
 
     def note_and_keep(text: str) -> None:
         notes.append(text)
-        note(text)
+        if note is not None:
+            note(text)
 
     if not COMPILED:
         note_and_keep(SLOW)
@@ -148,7 +149,7 @@ def make(
     pairs = match_drawings(drawings, settings, clock, note_and_keep, progress, kept)
     run = Run(pairs, settings, clock)
     _say_if_swapped(job, run, note_and_keep)
-    _say_if_poor(job, run, note_and_keep)
+    _say_if_poor(job, run, note_and_keep, is_read=note is not None or bool(job.write.preview))
     progress("drawing", 0.0)
     with _named(output.path):
         rendered = output.format.render(output._replace(watch=progress), pairs)
@@ -293,10 +294,10 @@ def _say_if_swapped(job: Job, run: Run, note: Callable[[str], None]) -> None:
             )
 
 
-def _say_if_poor(job: Job, run: Run, note: Callable[[str], None]) -> None:
+def _say_if_poor(job: Job, run: Run, note: Callable[[str], None], *, is_read: bool) -> None:
     """Warn of poor in-betweens, with their worst fault and a remedy; raise InputError if that is asked for."""
     is_asked = job.write.fail_on == "poor"
-    if job.output.settings.mix:
+    if job.output.settings.mix or not (is_asked or is_read):
         return
     graded = [
         (run.grade(k), pair) for k, pair in enumerate(run.pairs) if is_asked or is_suspect(pair.each_shape)

@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.job import make
 from tests.support.commands import write
 from tests.support.drawings import BAR, svg
 from tests.support.shapes import comb, spiral
@@ -42,6 +43,14 @@ def test_a_poor_blend_is_said_in_one_line_that_says_what_would_help(here, capsys
     assert run(["comb.svg", "spiral.svg", *KEEP, "-f", "--motion", "linear"]) == 0
     assert run(["bar.svg", "bar.svg", "-f"]) == 0
     assert capsys.readouterr().err == ""
+
+
+def test_a_quiet_run_is_not_graded_in_vain(here, monkeypatch):
+    def fail(pair):
+        raise AssertionError
+
+    monkeypatch.setattr(make, "grade_of", fail)
+    assert run(["comb.svg", "spiral.svg", *KEEP, "-q"]) == 0
 
 
 def test_in_a_pipeline_a_poor_blend_can_fail_and_then_nothing_is_written(here, capsys):
