@@ -18,6 +18,7 @@ from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, withou
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.rematched import with_other_matches
+from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import ASKED, SENT_BACK, is_covered, least_grade, swapped
@@ -110,10 +111,32 @@ def blend_shapes(
     outlined = with_outlines(a, b, settings, view)
     if not all(map(is_plain, outlined)):
         return shapes
-    shapes = with_signs_inverted(*outlined, settings, view, shapes)
-    shapes = with_gaps_closed(*outlined, settings, view, shapes)
-    shapes = with_slots_closed(*outlined, view, shapes)
-    return with_brushes(*outlined, settings, view, shapes)
+    special = with_signs_inverted(*outlined, settings, view, shapes)
+    special = with_gaps_closed(*outlined, settings, view, special)
+    special = with_slots_closed(*outlined, view, special)
+    special = with_brushes(*outlined, settings, view, special)
+    if special is not shapes:
+        return special
+    blend = partial(_in_outline_alone, settings, view, progress)
+    return with_silhouettes(*outlined, settings, view, shapes, blend)
+
+
+def _in_outline_alone(
+    settings: Settings,
+    view: Box,
+    progress: Progress,
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    wanted: list[tuple[int, int]],
+) -> Shapes:
+    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted."""
+
+    def move(paired: PairedDrawings) -> Shapes:
+        return _moved(paired, *match_pairs(paired), view)
+
+    paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
+    _, shapes = with_other_matches(paired, move(paired), move, view, {}, may_cut=False)
+    return with_parts_paced(shapes, view.larger_side, None, by_size=True)
 
 
 def _in_outlines(

@@ -1,0 +1,144 @@
+"""Drawings whose gaps close before the silhouette becomes the other one."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.blending.silhouettes import blend
+from shapeblend_cli.blending.silhouettes.blend import CLOSED
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.grading.painting import picture
+from shapeblend_cli.interpolate.paths import waypoints
+from shapeblend_cli.model import Box
+from tests.support.drawings import drawing
+from tests.support.motions import pair_of
+
+VIEW = Box(0.0, 0.0, 64.0, 64.0)
+TORTOISE = (
+    "M32 2Q40 6 36 16H28Q24 6 32 2Z M6 22Q16 12 22 18L18 26Q10 28 6 22Z M58 22Q48 12 42 18L46 26Q54 28 58 22Z"
+    "M12 58Q12 46 20 44L26 50Q20 58 12 58Z M52 58Q52 46 44 44L38 50Q44 58 52 58Z M24 18H40L36 26H28Z"
+    "M22 20L26 28 22 34H18Q18 26 22 20Z M42 20L38 28 42 34H46Q46 26 42 20Z M28 28H36L39 33 36 39H28L25 33Z"
+    "M18 37H22L27 41 24 47Q18 44 18 37Z M46 37H42L37 41 40 47Q46 44 46 37Z M29 42H35L38 49Q32 53 26 49Z"
+)
+TURTLE = (
+    "M62 12Q54 8 48 14L50 22Q60 22 62 12Z M6 40Q20 14 46 16L44 24 36 20 24 30 14 30Z M4 44L14 33H23L18 44Z"
+    "M26 31L36 23 44 27 40 38 22 42Z M6 48L40 41 46 29 48 26Q50 40 40 50 24 58 6 48Z"
+    "M44 46Q54 44 50 62 42 60 40 52Z M14 54L26 57Q20 64 12 62Z"
+)
+BROAD = "M4 4H60V30H34V10H32V30H4Z M4 33H60V60H4Z"
+LONG = "M2 10H62V24H2Z M2 27H62V40H40V50H38V40H2Z"
+EYE = "M{0} 50V54H{1}V50Z"
+
+
+def two(a=TORTOISE, b=TURTLE, **settings):
+    drawings = [drawing(path, viewbox="0 0 64 64") for path in (a, b)]
+    return pair_of(*drawings, **settings)
+
+
+def ink(pair, t):
+    """Which pixels are painted at a time."""
+    return picture(shapes_at(pair, t), VIEW)[3]
+
+
+def closes(pair):
+    return [shape.reason for shape in pair.shapes] == [CLOSED]
+
+
+@pytest.fixture
+def always(monkeypatch):
+    """Let gaps close whatever the grades."""
+    for name, value in (("FLAWED", 0.0), ("BETTER", -9.0), ("MOST", 9.0), ("DETAILED", 0.0)):
+        monkeypatch.setattr(blend, name, value)
+    monkeypatch.setattr(blend, "is_suspect", lambda shapes: True)
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_plates_of_a_shell_meet_before_it_becomes_another(backwards):
+    pair = two(*[TORTOISE, TURTLE][:: -1 if backwards else 1])
+    assert closes(pair)
+    inks = [ink(pair, t).sum() for t in (0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0)]
+    assert (np.diff(inks[:4]) > 0.0).all()
+    assert (np.diff(inks[3:]) < 0.0).all()
+
+
+def test_the_drawings_are_at_the_ends_and_close_to_them():
+    pair = two()
+    for t, path in ((0.0, TORTOISE), (1.0, TURTLE)):
+        own = two(path, path)
+        assert np.abs(ink(pair, t) - ink(own, t)).sum() <= 0.08 * ink(own, t).sum()
+        near = abs(t - 0.02)
+        assert np.abs(ink(pair, near) - ink(own, t)).sum() <= 0.12 * ink(own, t).sum()
+
+
+def test_halfway_the_silhouette_is_whole():
+    pair = two()
+    assert np.abs(ink(pair, 0.5) - ink(silhouette(pair), 0.5)).sum() == 0.0
+
+
+def silhouette(pair):
+    """The same pair without gaps."""
+    (shape,) = pair.shapes
+    count = len(shape.contours) - len(shape.motion.edges)
+    whole = shape._replace(contours=shape.contours[:count], motion=shape.motion._replace(edges=()))
+    return pair._replace(shapes=(whole,))
+
+
+@pytest.mark.parametrize("t", [0.1, 0.25, 0.4, 0.6, 0.75, 0.9])
+def test_gaps_stay_in_the_silhouette(t):
+    pair = two()
+    beyond = (ink(pair, t) > 0.5) & (ink(silhouette(pair), t) < 0.5)
+    assert beyond.mean() <= 0.004
+
+
+def test_waypoints_are_few():
+    (shape,) = two().shapes
+    assert len(waypoints(shape)) < 40
+
+
+def test_a_blend_that_looks_right_stays(monkeypatch):
+    def fail(*arguments):
+        raise AssertionError
+
+    monkeypatch.setattr(blend, "DETAILED", 0.0)
+    monkeypatch.setattr(blend, "_sides", fail)
+    assert not closes(two(BROAD, LONG))
+
+
+@pytest.mark.parametrize(("name", "value"), [("FLAWED", 9.0), ("BETTER", 3.0), ("MOST", 0.0)])
+def test_silhouettes_have_to_look_far_better(name, value, monkeypatch):
+    assert closes(two())
+    monkeypatch.setattr(blend, name, value)
+    assert not closes(two())
+
+
+def test_what_users_ask_for_is_left_as_it_is():
+    assert not closes(two(motion="linear"))
+    assert not closes(two(match=((0, 0),)))
+
+
+@pytest.mark.usefixtures("always")
+def test_a_slot_narrows_along_its_length():
+    pair = two(BROAD, LONG)
+    assert closes(pair)
+    for t in (0.1, 0.3):
+        columns = (ink(pair, t) < 0.5)[18:30].all(axis=0)[8:56]
+        assert columns.sum() <= 4
+    assert grade_of(pair).number <= 3.0
+
+
+@pytest.mark.usefixtures("always")
+def test_holes_that_are_alike_stay_open():
+    eyed = [
+        f"{path} {EYE.format(10 + by, 14 + by)}"
+        for path, by in ((BROAD, 0), (BROAD.replace("60H4", "58H4"), 2))
+    ]
+    pair = two(*eyed)
+    assert closes(pair)
+    assert sum(contour.is_matched for contour in pair.shapes[0].contours) == 2
+    holes = ink(pair, 0.5)[44:60, 4:24] < 0.5
+    assert 0.01 < holes.mean() < 0.2
+
+
+@pytest.mark.usefixtures("always")
+def test_without_gaps_there_is_nothing_to_close():
+    assert not closes(two("M4 4H60V60H4Z", "M2 20H62V50H2Z"))
