@@ -36,17 +36,8 @@ if TYPE_CHECKING:
 FLAWED = 1.25
 """Minimum grade of a blend for gaps to close."""
 
-BETTER = 0.6
-"""Minimum advantage of the blend of the silhouettes alone over the usual one, in grades."""
-
-MOST = 1.6
-"""Maximum grade of the blend of the silhouettes alone."""
-
 DETAILED = 5.0
 """Minimum length of the outlines of a drawing that may be torn, in sides of the view."""
-
-WIDTH = 0.03
-"""Maximum radius of a gap, as a share of the view's side."""
 
 VOID = 0.1
 """Maximum radius of a hole that closes, and of what gaps enclose, in the same measure."""
@@ -72,6 +63,19 @@ SAME = 0.08
 CLOSED = "gaps close before the silhouette becomes the other one, and open in that"
 
 
+class Width(NamedTuple):
+    """A width of gaps that close, and how good the blend of the silhouettes alone has to look for that."""
+
+    radius: float  # the largest of balls in gaps, as a share of the view's side
+    better: float  # the least advantage over the usual blend, in grades
+    most: float  # the largest grade
+    bent: bool  # whether only where outlines are bent much
+
+
+WIDTHS = (Width(0.03, 0.6, 1.6, bent=False), Width(0.045, 0.75, 1.1, bent=True))
+"""Widths of gaps that are tried until one looks good enough: wide gaps may also be between parts that stand apart."""
+
+
 class _Side(NamedTuple):
     """A drawing, and what it is as silhouette and gaps."""
 
@@ -86,8 +90,8 @@ class _Side(NamedTuple):
         return max(self.silhouette.contours, key=lambda contour: contour.area).number
 
     def same_hole(self, hole: PlacedContour) -> int | None:
-        """Return the number of a hole of the drawing in the silhouette, if it is there."""
-        holes = [contour for contour in self.silhouette.contours if contour.role == HOLE]
+        """Return the number of a hole of the drawing in the largest outline, if it is there."""
+        holes = [contour for contour in self.silhouette.contours if contour.exterior == self.largest]
         found = min(holes, key=lambda contour: abs(contour.centre - hole.centre), default=None)
         is_there = found is not None and abs(found.centre - hole.centre) <= 1e-3 * hole.size
         return found.number if found is not None and is_there else None
@@ -103,15 +107,19 @@ def with_silhouettes(
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
     grade = grade_of_shapes(usual, view)
-    sides = _sides(a, b, settings, view.larger_side) if grade >= FLAWED else None
-    if sides is None:
-        return usual
-    shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
-    # The judge misses the detail of gaps that are closed, so it is asked about the silhouettes alone.
-    if grade_of_shapes(shapes, view) > min(MOST, grade - BETTER):
-        return usual
-    found = (_riding(shapes, sides, view.larger_side),)
-    return found if is_blend_of(found, a, b, view, SAME) else usual
+    for width in WIDTHS if grade >= FLAWED else ():
+        if width.bent and not is_suspect(usual):
+            continue
+        sides = _sides(a, b, settings, view.larger_side, width.radius)
+        if sides is None:
+            continue
+        shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
+        # The judge misses the detail of gaps that are closed, so it is asked about the silhouettes alone.
+        if grade_of_shapes(shapes, view) <= min(width.most, grade - width.better):
+            found = (_riding(shapes, sides, view.larger_side),)
+            if is_blend_of(found, a, b, view, SAME):
+                return found
+    return usual
 
 
 def _may_be_torn(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -> bool:
@@ -122,8 +130,10 @@ def _may_be_torn(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -
     return is_suspect(usual) or any(not contour.is_matched for shape in usual for contour in shape.contours)
 
 
-def _sides(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: float) -> tuple[_Side, _Side] | None:
-    """Return two drawings as silhouettes with gaps, in a view of a side; None if there are no gaps."""
+def _sides(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: float, radius: float
+) -> tuple[_Side, _Side] | None:
+    """Return two drawings as silhouettes with gaps up to a radius, in a view of a side; None if there are none."""
     from shapeblend_cli.blending.silhouettes.ground import parted, rim_of  # few blends come so far
 
     kept: tuple[set[int], set[int]] = set(), set()
@@ -136,7 +146,7 @@ def _sides(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: float) 
         each = list(enumerate(drawing.contours))
         closed = np.array([contour.role == HOLE and rim.largest(k) < VOID * view for k, contour in each])
         is_kept = np.array([k in stays for k, _ in each])
-        own = parted(rim, WIDTH * view, closed, is_kept, VOID * view)
+        own = parted(rim, radius * view, closed, is_kept, VOID * view)
         if not own.outlines:
             return None
         found.append(_Side(drawing, rim, own, _silhouette(drawing, rim, own, settings.vertices)))
@@ -163,7 +173,7 @@ def _like_holes(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> list[
 
 
 def _wanted(sides: tuple[_Side, _Side]) -> Wanted:
-    """Return the numbers of the largest outlines, and of holes that are alike, in both silhouettes."""
+    """Return the numbers of the largest outlines, and of holes in them that are alike, in both silhouettes."""
     wanted = [(sides[0].largest, sides[1].largest)]
     for i, j in _like_holes(sides[0].drawing.contours, sides[1].drawing.contours):
         first = sides[0].same_hole(sides[0].drawing.contours[i])

@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.blending.silhouettes import blend
-from shapeblend_cli.blending.silhouettes.blend import CLOSED
+from shapeblend_cli.blending.silhouettes.blend import CLOSED, Width
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.interpolate.paths import waypoints
@@ -27,6 +27,11 @@ TURTLE = (
 )
 BROAD = "M4 4H60V30H34V10H32V30H4Z M4 33H60V60H4Z"
 LONG = "M2 10H62V24H2Z M2 27H62V40H40V50H38V40H2Z"
+WORSE = [
+    ("FLAWED", 9.0),
+    ("WIDTHS", (Width(0.03, 3.0, 9.0, bent=False),)),
+    ("WIDTHS", (Width(0.03, -9.0, 0.0, bent=False),)),
+]
 EYE = "M{0} 50V54H{1}V50Z"
 
 
@@ -47,7 +52,11 @@ def closes(pair):
 @pytest.fixture
 def always(monkeypatch):
     """Let gaps close whatever the grades."""
-    for name, value in (("FLAWED", 0.0), ("BETTER", -9.0), ("MOST", 9.0), ("DETAILED", 0.0)):
+    for name, value in (
+        ("FLAWED", 0.0),
+        ("DETAILED", 0.0),
+        ("WIDTHS", (Width(0.03, -9.0, 9.0, bent=False),)),
+    ):
         monkeypatch.setattr(blend, name, value)
     monkeypatch.setattr(blend, "is_suspect", lambda shapes: True)
 
@@ -104,7 +113,7 @@ def test_a_blend_that_looks_right_stays(monkeypatch):
     assert not closes(two(BROAD, LONG))
 
 
-@pytest.mark.parametrize(("name", "value"), [("FLAWED", 9.0), ("BETTER", 3.0), ("MOST", 0.0)])
+@pytest.mark.parametrize(("name", "value"), WORSE)
 def test_silhouettes_have_to_look_far_better(name, value, monkeypatch):
     assert closes(two())
     monkeypatch.setattr(blend, name, value)
@@ -142,3 +151,20 @@ def test_holes_that_are_alike_stay_open():
 @pytest.mark.usefixtures("always")
 def test_without_gaps_there_is_nothing_to_close():
     assert not closes(two("M4 4H60V60H4Z", "M2 20H62V50H2Z"))
+
+
+@pytest.mark.usefixtures("always")
+def test_holes_in_other_outlines_do_not_pair_these():
+    small, large = "M2 2H22V22H2Z M9 9V15H15V9Z", "M30 2H62V62H30Z M33 5V50H34V5Z"
+    drawings = f"{small} {large}", "M2 2H40V40H2Z M9 9V15H15V9Z M5 20V37H6V20Z M50 50H62V62H50Z"
+    assert closes(two(*drawings))
+
+
+@pytest.mark.usefixtures("always")
+def test_wide_gaps_close_where_outlines_are_bent(monkeypatch):
+    paths = "M4 4H60V30H4Z M4 34.5H60V60H4Z", "M2 10H62V40H2Z"
+    assert not closes(two(*paths))
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, -9.0, 9.0, bent=True),))
+    assert closes(two(*paths))
+    monkeypatch.setattr(blend, "is_suspect", lambda shapes: False)
+    assert not closes(two(*paths))
