@@ -33,9 +33,6 @@ if TYPE_CHECKING:
     Wanted = list[tuple[int, int]]
     Blend = Callable[[PlacedDrawing, PlacedDrawing, Wanted], Shapes]
 
-FLAWED = 1.25
-"""Minimum grade of a blend for gaps to close."""
-
 DETAILED = 5.0
 """Minimum length of the outlines of a drawing that may be torn, in sides of the view."""
 
@@ -67,12 +64,13 @@ class Width(NamedTuple):
     """A width of gaps that close, and how good the blend of the silhouettes alone has to look for that."""
 
     radius: float  # the largest of balls in gaps, as a share of the view's side
-    better: float  # the least advantage over the usual blend, in grades
+    least: float  # the least grade of the usual blend
+    better: float  # the least advantage over that, in grades
     most: float  # the largest grade
     bent: bool  # whether only where outlines are bent much
 
 
-WIDTHS = (Width(0.03, 0.6, 1.6, bent=False), Width(0.045, 0.75, 1.1, bent=True))
+WIDTHS = (Width(0.03, 1.55, 0.6, 1.6, bent=False), Width(0.045, 1.25, 0.75, 1.1, bent=True))
 """Widths of gaps that are tried until one looks good enough: wide gaps may also be between parts that stand apart."""
 
 
@@ -107,8 +105,8 @@ def with_silhouettes(
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
     grade = grade_of_shapes(usual, view)
-    for width in WIDTHS if grade >= FLAWED else ():
-        if width.bent and not is_suspect(usual):
+    for width in WIDTHS:
+        if grade < width.least or (width.bent and not is_suspect(usual)):
             continue
         sides = _sides(a, b, settings, view.larger_side, width.radius)
         if sides is None:

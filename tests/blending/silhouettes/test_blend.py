@@ -28,9 +28,9 @@ TURTLE = (
 BROAD = "M4 4H60V30H34V10H32V30H4Z M4 33H60V60H4Z"
 LONG = "M2 10H62V24H2Z M2 27H62V40H40V50H38V40H2Z"
 WORSE = [
-    ("FLAWED", 9.0),
-    ("WIDTHS", (Width(0.03, 3.0, 9.0, bent=False),)),
-    ("WIDTHS", (Width(0.03, -9.0, 0.0, bent=False),)),
+    Width(0.03, 9.0, -9.0, 9.0, bent=False),
+    Width(0.03, 0.0, 3.0, 9.0, bent=False),
+    Width(0.03, 0.0, -9.0, 0.0, bent=False),
 ]
 EYE = "M{0} 50V54H{1}V50Z"
 
@@ -52,12 +52,8 @@ def closes(pair):
 @pytest.fixture
 def always(monkeypatch):
     """Let gaps close whatever the grades."""
-    for name, value in (
-        ("FLAWED", 0.0),
-        ("DETAILED", 0.0),
-        ("WIDTHS", (Width(0.03, -9.0, 9.0, bent=False),)),
-    ):
-        monkeypatch.setattr(blend, name, value)
+    monkeypatch.setattr(blend, "DETAILED", 0.0)
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0, bent=False),))
     monkeypatch.setattr(blend, "is_suspect", lambda shapes: True)
 
 
@@ -113,10 +109,10 @@ def test_a_blend_that_looks_right_stays(monkeypatch):
     assert not closes(two(BROAD, LONG))
 
 
-@pytest.mark.parametrize(("name", "value"), WORSE)
-def test_silhouettes_have_to_look_far_better(name, value, monkeypatch):
+@pytest.mark.parametrize("width", WORSE)
+def test_silhouettes_have_to_look_far_better(width, monkeypatch):
     assert closes(two())
-    monkeypatch.setattr(blend, name, value)
+    monkeypatch.setattr(blend, "WIDTHS", (width,))
     assert not closes(two())
 
 
@@ -164,7 +160,7 @@ def test_holes_in_other_outlines_do_not_pair_these():
 def test_wide_gaps_close_where_outlines_are_bent(monkeypatch):
     paths = "M4 4H60V30H4Z M4 34.5H60V60H4Z", "M2 10H62V40H2Z"
     assert not closes(two(*paths))
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, -9.0, 9.0, bent=True),))
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, bent=True),))
     assert closes(two(*paths))
     monkeypatch.setattr(blend, "is_suspect", lambda shapes: False)
     assert not closes(two(*paths))
