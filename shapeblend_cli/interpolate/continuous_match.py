@@ -220,37 +220,36 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     forced = np.zeros(len(positions), np.bool_)
     is_long = np.repeat(lasts - firsts >= LONG_HOLD, lasts - firsts)
     fixed = anchored.copy()
-    middles: list[tuple[float, float]] = []
-    for p, q in zip(firsts.tolist(), lasts.tolist(), strict=True):
-        side = int(held[p])
+    middles: list[FloatArray] = []
+    single: tuple[list[int], list[int]] = [], []  # holds of one step on either side, by their first positions
+    stays = [(anchored | corners[1 - side]).tolist() for side in (0, 1)]
+    for p, q, side in zip(firsts.tolist(), lasts.tolist(), held[firsts].tolist(), strict=True):
         if side == 2:
             continue
-        if corners[side][p] and q - p >= LONG_HOLD:
+        if q - p >= LONG_HOLD and corners[side][p]:
             fixed[[p, q]] = True
             continue
         # An end that is a corner of the advancing contour stays as it is.
-        ends = [
-            (end, beyond)
-            for end, beyond in ((p, p - 1), (q, q + 1))
-            if not anchored[end] and not corners[1 - side][end]
-        ]
+        ends = [(end, beyond) for end, beyond in ((p, p - 1), (q, q + 1)) if not stays[side][end]]
         kept[p + 1 : q] = False
         for end, beyond in ends:
             kept[end] = False
             step = min(end, beyond)
             if q - p >= LONG_HOLD:
                 if held[step] == 2:
-                    middles.append(tuple((0.5 * (positions[end] + positions[beyond])).tolist()))
+                    middles.append(0.5 * (positions[[end]] + positions[[beyond]]))
                 elif is_long[step]:
                     forced[end] = True
         if q - p < LONG_HOLD and len(ends) == 2:
-            middle = 0.5 * (lengths[1 - side][p] + lengths[1 - side][q])
-            moved = float((b if side == 0 else a).position_at(np.array([middle]))[0])
-            middles.append((positions[p, 0], moved) if side == 0 else (moved, positions[p, 1]))
+            single[side].append(p)
         for end in {p, q} - {end for end, _ in ends}:
             forced[end] = True
+    for side, other in ((0, b), (1, a)):
+        first, along = np.array(single[side], np.intp), lengths[1 - side]
+        middles.append(positions[first])
+        middles[-1][:, 1 - side] = other.position_at(0.5 * (along[first] + along[first + 1]))
     kept |= fixed | forced
-    match = _sort(a, b, np.concatenate([positions[kept], np.reshape(middles, (-1, 2))]), fixed[kept])
+    match = _sort(a, b, np.concatenate([positions[kept], *middles]), fixed[kept])
     # Vertices of the removed holds stay: without them a curve would become a chord.
     between = []
     for side in (0, 1):
