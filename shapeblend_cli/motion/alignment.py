@@ -116,19 +116,69 @@ def align(points: PointPairs) -> Alignment:
     drawings makes no difference. If the movement left is not much less than without a similarity, there is none. Half
     turns go clockwise.
     """
-    everywhere = _least_squares(points)
+    terms = _Terms(points)
+    everywhere = terms.least_squares(points.weight)
     middle = 0.5 * (everywhere.centre_a + everywhere.centre_b)
     in_place = Alignment(middle, middle, 1.0, 0.0)
-    found = [_reweighted(points, start) for start in (in_place, everywhere)]
+    found = [_reweighted(terms, start) for start in (in_place, everywhere)]
     alignment, least = min(found, key=lambda one: one[1])
-    if IN_PLACE * _moving_length(points, in_place) <= least:
+    if IN_PLACE * terms.moving_length(in_place) <= least:
         return in_place
     if alignment.is_half_turn and alignment.rotation < 0.0:
         alignment = alignment.other_way_round()
-    return _pivoted(points, alignment)
+    return _pivoted(terms, alignment)
 
 
-def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
+class _Terms:
+    """What sums over pairs of points are made of, so that a similarity, and what it leaves, are a product each.
+
+    The terms are 1, both parts of p and of q, both squares, and both parts of conj(p) q: (9, k) float. p and q are the
+    points relative to their means.
+    """
+
+    def __init__(self, points: PointPairs) -> None:
+        a, b, self.weight = points
+        self.mean_a, self.mean_b = complex(self.weight @ a), complex(self.weight @ b)
+        p, q = a - self.mean_a, b - self.mean_b
+        both = p.conj() * q
+        squares = p.real**2 + p.imag**2, q.real**2 + q.imag**2
+        self.terms = np.stack(
+            [np.ones(len(a)), p.real, p.imag, q.real, q.imag, *squares, both.real, both.imag]
+        )
+        self.unit = math.sqrt(self.weight @ squares[0]) * math.sqrt(self.weight @ squares[1])
+
+    def least_squares(self, weight: FloatArray) -> Alignment:
+        """Return the similarity of weighted least squares, but with the ratio of both sizes as its scale."""
+        sums = self.terms @ weight
+        px, py, qx, qy, square_p, square_q, x, y = (sums[1:] / sums[0]).tolist()
+        p, q = complex(px, py), complex(qx, qy)
+        common = complex(x, y) - p.conjugate() * q
+        size_a = math.sqrt(max(square_p - abs(p) ** 2, 0.0))
+        size_b = math.sqrt(max(square_q - abs(q) ** 2, 0.0))
+        rotation = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
+        scale = size_b / size_a if size_a > 0.0 and size_b > 0.0 else 1.0
+        return Alignment(self.mean_a + p, self.mean_b + q, scale, rotation)
+
+    def off(self, alignment: Alignment) -> FloatArray:
+        """Return ``1 + (distance / NEAR)²`` of each point once a similarity is undone, (k,) float."""
+        turn = cmath.rect(1.0 / alignment.scale, -alignment.rotation)
+        shift = (alignment.centre_a - self.mean_a) - turn * (alignment.centre_b - self.mean_b)
+        moved = 2.0 * turn * shift.conjugate()
+        # The square of turn * q + shift - p, term by term.
+        factors = (
+            abs(shift) ** 2,
+            *(-2.0 * shift.real, -2.0 * shift.imag, moved.real, -moved.imag),
+            *(1.0, abs(turn) ** 2, -2.0 * turn.real, 2.0 * turn.imag),
+        )
+        near = alignment.scale / (self.unit * NEAR**2) if self.unit > 0.0 else 0.0
+        return 1.0 + (near * np.array(factors)) @ self.terms
+
+    def moving_length(self, alignment: Alignment) -> float:
+        """Return the movement that a similarity leaves: the mean logarithm of `align`."""
+        return float(self.weight @ np.log(self.off(alignment)))
+
+
+def _pivoted(terms: _Terms, alignment: Alignment) -> Alignment:
     """Return a similarity as a rotation about its fixed point, if that is near the outlines.
 
     So the hand of a clock turns about its end, and shapes far away go straight.
@@ -137,57 +187,26 @@ def _pivoted(points: PointPairs, alignment: Alignment) -> Alignment:
     if abs(factor - 1.0) < 1e-9:
         return alignment
     pivot = (alignment.centre_b - factor * alignment.centre_a) / (1.0 - factor)
-    a, b, weight = points
-    mean_a, mean_b = complex(weight @ a), complex(weight @ b)
-    if abs(pivot - mean_a) * abs(pivot - mean_b) > PIVOT_REACH**2 * _unit(points):
+    if abs(pivot - terms.mean_a) * abs(pivot - terms.mean_b) > PIVOT_REACH**2 * terms.unit:
         return alignment
     return alignment._replace(centre_a=pivot, centre_b=pivot)
 
 
-def _reweighted(points: PointPairs, alignment: Alignment) -> tuple[Alignment, float]:
+def _reweighted(terms: _Terms, alignment: Alignment) -> tuple[Alignment, float]:
     """Return a similarity improved by reweighting, and the movement that it leaves."""
-    left, unit = np.inf, _unit(points)
+    left = np.inf
     for _ in range(REWEIGHTINGS):
-        off = _off(points, alignment, unit)
-        before, left = left, float(points.weight @ np.log(off))
+        off = terms.off(alignment)
+        before, left = left, float(terms.weight @ np.log(off))
         if before - left <= SETTLED * left:
             break
-        alignment = _least_squares(PointPairs(points.a, points.b, points.weight / off))
+        alignment = terms.least_squares(terms.weight / off)
     return alignment, left
 
 
 def resting(points: PointPairs, alignment: Alignment) -> FloatArray:
     """Return how much each point rests once a similarity is undone, (k,) float: 1 if it stays where it is."""
-    return 1.0 / _off(points, alignment, _unit(points))
-
-
-def _moving_length(points: PointPairs, alignment: Alignment) -> float:
-    """Return the movement that a similarity leaves: the mean logarithm of `align`."""
-    return float(points.weight @ np.log(_off(points, alignment, _unit(points))))
-
-
-def _unit(points: PointPairs) -> float:
-    a, b, weight = points
-    return _size(a - weight @ a, weight) * _size(b - weight @ b, weight)
-
-
-def _off(points: PointPairs, alignment: Alignment, unit: float) -> FloatArray:
-    """Return ``1 + (distance / NEAR)²`` of each point, (k,) float."""
-    left = alignment.undo(points.b) - (points.a - alignment.centre_a)
-    return 1.0 + (left.real**2 + left.imag**2) * (alignment.scale / (unit * NEAR**2) if unit > 0.0 else 0.0)
-
-
-def _least_squares(points: PointPairs) -> Alignment:
-    """Return the similarity of weighted least squares, but with the ratio of both sizes as its scale."""
-    a, b, weight = points
-    weight = weight / weight.sum()
-    centre_a, centre_b = complex(weight @ a), complex(weight @ b)
-    a, b = a - centre_a, b - centre_b
-    common = complex(weight @ (a.conj() * b))
-    size_a, size_b = _size(a, weight), _size(b, weight)
-    rotation = cmath.phase(common) if abs(common) > 1e-12 * size_a * size_b else 0.0
-    scale = size_b / size_a if size_a > 0.0 and size_b > 0.0 else 1.0
-    return Alignment(centre_a, centre_b, scale, rotation)
+    return 1.0 / _Terms(points).off(alignment)
 
 
 def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
@@ -204,7 +223,8 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
     common = align_contours([contour for shape in shapes for contour in shape.contours])
     for group, pairs in zip(groups, points, strict=True):
         own = align(pairs) if len(groups) > 1 else common
-        suits = _moving_length(pairs, common) <= _moving_length(pairs, own) + SUITED
+        terms = _Terms(pairs)
+        suits = terms.moving_length(common) <= terms.moving_length(own) + SUITED
         for k in group:
             found[k] = common if suits else own
     return found
