@@ -1,7 +1,7 @@
 """Features of a strip of pictures that tell how good it looks: each is 0 where nothing is wrong.
 
-Both ends are taken to be right. What lies between is compared with an even change from one end to the other, mostly by
-the logarithm of the ratio, so that twice as much is as wrong as half as much.
+Both ends are taken to be right. What lies between is compared with an even change from one end to the other, or with
+that end which has more. Radii are in pixels of pictures with 96 x 96 of them.
 """
 
 from __future__ import annotations
@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.regions import count_regions
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, FloatArray, IntArray, PictureArray
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray, PictureArray, UIntArray
 
 LEAST_REGION = 6
 """Minimum size of a region that is seen, in pixels."""
@@ -23,8 +24,29 @@ LEAST_REGION = 6
 SHADES = 7
 """Number of steps of each channel between colours that are told apart."""
 
-LITTLE = 1e-3
-"""Addition to amounts before ratios, as a share of the picture: what is less is not seen."""
+LUMP = 6
+"""Maximum depth of ink that is no lump, in erosions by one pixel: twice as thick as most pens."""
+
+NEAR = 3
+"""Distance from a pixel to the sides of the square in which spikes are told, in pixels."""
+
+AROUND = 7
+"""Distance from a pixel to the sides of the square in which notches are told, in pixels."""
+
+SPIKE = 0.3
+"""Maximum share of ink around a pixel of a spike: at a straight edge it is a half."""
+
+NOTCH = 0.7
+"""Minimum share of ink around a pixel on the edge of a notch."""
+
+SECTORS = 24
+"""Number of directions of edges that are told apart."""
+
+FAINT = 0.003
+"""Minimum square of the change of brightness over two pixels of an edge whose direction is taken."""
+
+COARSE = 4
+"""Sides of the squares in which sudden changes are told, in pixels."""
 
 INNER = slice(1, -1)
 
@@ -32,70 +54,84 @@ INNER = slice(1, -1)
 class Features(NamedTuple):
     """What is wrong with a strip, by how much."""
 
-    edges_lost: float  # the deepest loss of the total length of edges
-    edges_off: float  # how far that length is from an even change, on average
-    ink_lost: float  # the deepest loss of the painted area
-    ink_off: float  # how far that area is from an even change, on average
-    swollen: float  # the largest gain of the greatest thickness
-    thickness_off: float  # how far the mean thickness is from an even change, on average
-    patches: float  # patches of one colour beyond those of an even change
-    pieces: float  # separate pieces beyond those at the ends
-    holes: float  # holes beyond those at the ends
-    detail: float  # patches at the ends: what has many parts fails more often
-    detour: float  # change from frame to frame, added up, over the change from end to end
+    edges_lost: float  # length of edges below that of an even change
+    size_off: float  # how far the spread of the ink is from an even change
+    lumps: float  # ink deeper than `LUMP` beyond that of the ends
+    slivers: float  # ink so thin that opening removes it, beyond an even change
+    spikes: float  # edges around which there is little ink, beyond those of the ends
+    notches: float  # edges around which there is much ink, beyond those of the ends
+    directions: float  # edges in directions that neither end has
+    lopsided: float  # asymmetry beyond an even change, about the upright or the level axis
+    patches: float  # patches of one colour beyond those of the ends
+    pieces: float  # separate pieces beyond those of the ends
     pop: float  # the largest change from a frame to the next, over the mean
-    common_lost: float  # ink lost that both ends have
-    outside: float  # ink where neither end has any
-    lopsided: float  # asymmetry beyond that of the ends
-    grey: float  # the deepest loss of saturation below both ends
+    detail: float  # length of edges at the ends: what has much detail fails more often
+
+
+HALVES = Features(
+    edges_lost=0.016,
+    size_off=0.08,
+    lumps=0.012,
+    slivers=0.003,
+    spikes=0.15,
+    notches=0.1,
+    directions=0.016,
+    lopsided=0.03,
+    patches=3.0,
+    pieces=1.0,
+    pop=0.12,
+    detail=5.0,
+)
+"""Amounts of the features that add half as much to a grade as the worst would: what is seen first counts most."""
+
+
+def shares(found: FloatArray) -> FloatArray:
+    """Return features, (..., 12), as shares of the worst: 0 where nothing is wrong, and less than 1."""
+    amounts = np.maximum(found, 0.0)
+    return amounts / (amounts + np.array(HALVES))
 
 
 def features(strip: Sequence[PictureArray]) -> Features:
-    """Measure a strip of three pictures or more at even times.
+    """Measure a strip of pictures at even times.
 
     Parameters
     ----------
     strip : sequence of (4, n, n) float
-        Red, green and blue times opacity, and opacity, from 0 to 1; the first and the last are the ends.
+        Three to eight pictures: red, green and blue times opacity, and opacity, from 0 to 1; the first and the last
+        are the ends.
 
     Returns
     -------
     Features
     """
     pictures = np.stack(strip)
-    ink = pictures[:, 3]
+    if not pictures[:, :3].any():
+        pictures = pictures[:, 3:]  # all is black: what changes is opacity alone
+    ink = pictures[:, -1]
     solid = ink > 0.5
-    on_white = pictures[:, :3] + (1.0 - ink[:, None])
-    edges, area = _edges(pictures), ink.mean(axis=(1, 2))
-    greatest = _thickness(solid)
-    regions = np.array([count_regions(numbers, LEAST_REGION) for numbers in _colours(on_white, solid)])
-    pieces = np.array([count_regions(one.astype(np.intc), LEAST_REGION)[0] for one in solid])
-    saturation = _saturation(on_white, solid)
-    steps = _largest(pictures[1:] - pictures[:-1]).mean(axis=(1, 2))
-    whole = float(_largest(pictures[-1:] - pictures[:1]).mean())
-    both, either = np.minimum(ink[0], ink[-1]), _grown(np.maximum(ink[0], ink[-1]))
-    edge_ratio, ink_ratio, mean_ratio = _ratio(edges), _ratio(area), _ratio(area / (edges + LITTLE))
-    missing, beyond = (
-        np.maximum(both - ink, 0.0).mean(axis=(1, 2)),
-        np.maximum(ink - either, 0.0).mean(axis=(1, 2)),
-    )
+    bare = 1.0 - ink
+    on_white = bare[:, None] if pictures.shape[1] == 1 else pictures[:, :3] + bare[:, None]
+    side, area = ink.shape[-1], ink.mean(axis=(1, 2))
+    size = 0.5 * (area[0] + area[-1]) + 0.01
+    edges = _edges(pictures)
+    border, thin, deep = _eroded(solid)
+    spikes, notches = _corners(solid, border)
+    patches, pieces = _regions(on_white, solid)
+    steps = _steps(pictures) + 1e-3
+    edge_ratio = _ratio(edges, 0.1)
     return Features(
-        edges_lost=float(np.maximum(-edge_ratio, 0.0).max()),
-        edges_off=float(np.abs(edge_ratio).mean()),
-        ink_lost=float(np.maximum(-ink_ratio, 0.0).max()),
-        ink_off=float(np.abs(ink_ratio).mean()),
-        swollen=float(np.maximum(_ratio(greatest, 0.01), 0.0).max()),
-        thickness_off=float(np.abs(mean_ratio).mean()),
-        patches=_more(regions[:, 0] - _even(regions[:, 0])),
-        pieces=_more(pieces - max(pieces[0], pieces[-1])),
-        holes=_more(regions[:, 1] - max(regions[0, 1], regions[-1, 1])),
-        detail=float(np.log1p(0.5 * (regions[0, 0] + regions[-1, 0]))),
-        detour=float(np.log((steps.sum() + 5.0 * LITTLE) / (whole + 5.0 * LITTLE))),
-        pop=float(np.log((steps.max() + LITTLE) / (steps.mean() + LITTLE))),
-        common_lost=float(missing[INNER].mean() / (both.mean() + 0.02)),
-        outside=float(beyond[INNER].mean() / (either.mean() + 0.02)),
-        lopsided=_more_asymmetric(pictures),
-        grey=float(np.maximum(min(saturation[0], saturation[-1]) - saturation, 0.0).max()),
+        edges_lost=float(np.maximum(-edge_ratio, 0.0).mean()),
+        size_off=float(np.abs(_ratio(_spread(ink), 0.01)).mean()),
+        lumps=_beyond_ends(deep / size),
+        slivers=_beyond_even(thin / size),
+        spikes=_beyond_ends(spikes / side),
+        notches=_beyond_ends(notches / side),
+        directions=_other_directions(1.0 - on_white.mean(axis=1)),
+        lopsided=_beyond_even(_asymmetry(pictures) / (area + 0.02)),
+        patches=_beyond_ends(patches),
+        pieces=_beyond_ends(pieces),
+        pop=float(np.log(steps.max() / steps.mean())),
+        detail=float(0.5 * (edges[0] + edges[-1])),
     )
 
 
@@ -104,20 +140,27 @@ def _even(values: FloatArray) -> FloatArray:
     return np.linspace(values[0], values[-1], len(values))
 
 
-def _ratio(values: FloatArray, little: float = LITTLE) -> FloatArray:
-    """Return the logarithms of values within over those of an even change."""
+def _ratio(values: FloatArray, little: float) -> FloatArray:
+    """Return the logarithms of values within over those of an even change, both with a little more."""
     return np.log((values + little) / (_even(values) + little))[INNER]
 
 
-def _more(excess: FloatArray) -> float:
-    """Return the logarithm of one and a mean excess within."""
-    return float(np.log1p(np.maximum(excess[INNER], 0.0).mean()))
+def _beyond_ends(values: FloatArray) -> float:
+    """Return by how much values within exceed both ends, on average."""
+    return float(np.maximum(values - max(values[0], values[-1]), 0.0)[INNER].mean())
+
+
+def _beyond_even(values: FloatArray) -> float:
+    """Return by how much values within exceed an even change, on average."""
+    return float(np.maximum(values - _even(values), 0.0)[INNER].mean())
 
 
 def _largest(differences: PictureArray) -> PictureArray:
-    """Return the largest difference of the four channels, (n, 4, ...), at each pixel."""
-    red, green, blue, opacity = np.abs(differences, out=differences).swapaxes(0, 1)
-    return np.maximum(np.maximum(red, green), np.maximum(blue, opacity))
+    """Return the largest difference of the channels, (n, channels, ...), at each pixel."""
+    first, *others = np.abs(differences, out=differences).swapaxes(0, 1)
+    for other in others:
+        np.maximum(first, other, out=first)
+    return first
 
 
 def _edges(pictures: PictureArray) -> FloatArray:
@@ -131,49 +174,121 @@ def _edges(pictures: PictureArray) -> FloatArray:
     return np.pi / 8.0 * lengths / side
 
 
-def _thickness(solid: BoolArray) -> FloatArray:
-    """Return the greatest thickness in each picture, in its sides: how often its ink can be eroded."""
-    return np.array([_erosions(one) for one in solid]) / solid.shape[1]
+def _spread(ink: PictureArray) -> FloatArray:
+    """Return how far the ink of each picture lies from its centre, in sides of the picture: the standard deviation."""
+    places = np.arange(ink.shape[-1]) / ink.shape[-1]
+    moments = np.zeros(len(ink))
+    total = ink.sum(axis=(1, 2)) + 1e-9
+    for axis in (1, 2):
+        along = ink.sum(axis=axis)
+        moments += along @ places**2 / total - (along @ places / total) ** 2
+    return np.sqrt(np.maximum(moments, 0.0))
 
 
-def _erosions(solid: BoolArray) -> int:
-    """Return how often the ink of a picture can be eroded; its pixels are the bits of one number, row after row."""
-    row = solid.shape[1] + 1  # what leaves a row at its end is in an empty column
-    ink = int.from_bytes(np.packbits(np.pad(solid, ((0, 0), (0, 1)))).tobytes(), "big")
-    rounds = 0
-    while ink:
-        rounds += 1
-        across = ink & ink << 1 & ink >> 1
-        column = across if rounds % 2 else ink  # square and diamond in turn: an octagon
-        ink = across & column << row & column >> row
-    return rounds
+def _shifted(bits: UIntArray, corners: bool, grow: bool) -> UIntArray:
+    """Return pictures eroded, or grown, by one pixel: in eight directions or, without corners, in four."""
+    join = np.bitwise_or if grow else np.bitwise_and
+    padded = np.pad(bits, 1)
+    middle = padded[1:-1]
+    across = join(join(middle[:, :-2], middle[:, 2:]), bits)
+    if not corners:
+        return join(join(padded[:-2, 1:-1], padded[2:, 1:-1]), across)
+    padded[1:-1, 1:-1] = across
+    return join(join(padded[:-2, 1:-1], padded[2:, 1:-1]), across)
+
+
+def _eroded(solid: BoolArray) -> tuple[BoolArray, FloatArray, FloatArray]:
+    """Return the border pixels of ink, and the shares that opening removes and that lie deeper than `LUMP`."""
+    # A bit for each picture: all are eroded at once.
+    bits = left = border = thin = np.packbits(solid, axis=0)[0]
+    for k in range(LUMP):
+        left = _shifted(left, corners=k % 2 == 0, grow=False)  # square and diamond in turn: an octagon
+        if k == 0:
+            border = bits & ~left
+        if k == 1:
+            thin = bits & ~_shifted(_shifted(left, corners=False, grow=True), corners=True, grow=True)
+    borders, thins, deep = np.unpackbits(np.stack([border, thin, left])[:, None], axis=1, count=len(solid))
+    return borders.astype(np.bool_), thins.mean(axis=(1, 2)), deep.mean(axis=(1, 2))
+
+
+def _corners(solid: BoolArray, border: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return how many pixels of each border have little ink near them, and how many have much around them."""
+    margin, count = AROUND + 1, len(solid)
+    sums = np.pad(solid, ((0, 0), (margin, AROUND), (margin, AROUND)))
+    sums = sums.cumsum(axis=2, dtype=np.int16).cumsum(axis=1, dtype=np.int16)
+    width, frame = sums.shape[2], sums.shape[1] * sums.shape[2]
+    frames, rows, columns = np.nonzero(border)
+    at, flat, found = frames * frame + (rows + margin) * width + columns + margin, sums.ravel(), []
+    for reach in (NEAR, AROUND):
+        low, high = (reach + 1) * (width + 1), reach * (width + 1)
+        across = reach * (width - 1)
+        ink = flat[at + high] - flat[at - across - width] - flat[at + across - 1] + flat[at - low]
+        found.append(ink / (2.0 * reach + 1.0) ** 2)
+    little, much = (found[0] < SPIKE).astype(np.float64), (found[1] > NOTCH).astype(np.float64)
+    counts = [np.bincount(frames, one, count) for one in (little, much)]
+    return np.asarray(counts[0], np.float64), np.asarray(counts[1], np.float64)
+
+
+def _other_directions(dark: PictureArray) -> float:
+    """Return the length of edges in directions that neither end has, as a share of those that an end has."""
+    smooth = _smoothed(_smoothed(dark))
+    right = (smooth[:, 1:-1, 2:] - smooth[:, 1:-1, :-2]).ravel()
+    down = (smooth[:, 2:, 1:-1] - smooth[:, :-2, 1:-1]).ravel()
+    square = right * right + down * down
+    at = np.flatnonzero(square > FAINT)
+    sector = (np.arctan2(down[at], right[at]) % np.pi * (SECTORS / np.pi)).astype(np.intp) % SECTORS
+    frame = at // (len(square) // len(dark))
+    lengths = np.bincount(frame * SECTORS + sector, np.sqrt(square[at]), SECTORS * len(dark))
+    lengths = lengths.reshape(-1, SECTORS)
+    lengths = 0.5 * lengths + 0.25 * (rolled(lengths.T, 1) + rolled(lengths.T, -1)).T
+    known = np.maximum(lengths[0], lengths[-1])
+    return float(np.maximum(lengths - known, 0.0).sum(axis=1)[INNER].mean() / (known.sum() + 2.0))
+
+
+def _smoothed(dark: PictureArray) -> PictureArray:
+    """Return means with weights of 1, 2, 1 in both directions; what lies outside is bright."""
+    rows = 2.0 * dark
+    rows[:, 1:] += dark[:, :-1]
+    rows[:, :-1] += dark[:, 1:]
+    found = 2.0 * rows
+    found[:, :, 1:] += rows[:, :, :-1]
+    found[:, :, :-1] += rows[:, :, 1:]
+    found /= 16.0
+    return found
+
+
+def _steps(pictures: PictureArray) -> FloatArray:
+    """Return the mean change from each picture to the next, in coarse squares."""
+    end = pictures.shape[-1] // COARSE * COARSE
+    rows = np.add.reduce([pictures[:, :, k:end:COARSE, :end] for k in range(COARSE)])
+    coarse = np.add.reduce([rows[..., k::COARSE] for k in range(COARSE)]) / COARSE**2
+    return _largest(coarse[1:] - coarse[:-1]).mean(axis=(1, 2))
+
+
+def _asymmetry(pictures: PictureArray) -> FloatArray:
+    """Return how far each picture differs from its mirror image, about that of two axes where it does so less."""
+    half = pictures.shape[-1] // 2
+    across = _largest(pictures[..., :half] - pictures[..., : -half - 1 : -1])
+    upside = _largest(pictures[..., :half, :] - pictures[..., : -half - 1 : -1, :])
+    return np.minimum(across.mean(axis=(1, 2)), upside.mean(axis=(1, 2)))
+
+
+def _regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, FloatArray]:
+    """Return the numbers of patches of one colour, and of separate pieces, in each picture."""
+    found = []
+    for numbers, inked in zip(_colours(on_white, solid), solid, strict=True):
+        patches = count_regions(numbers, LEAST_REGION)[0]
+        is_plain = np.array_equal(numbers == numbers.max(), inked)
+        pieces = patches if is_plain else count_regions(inked.astype(np.intc), LEAST_REGION)[0]
+        found.append((patches, pieces))
+    patches, pieces = np.array(found, np.float64).T
+    return patches, pieces
 
 
 def _colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
     """Return a number for each colour that can be told apart; 0 where nothing is painted."""
     steps = np.rint(SHADES * on_white).astype(np.intc)
-    numbers = (steps[:, 0] * (SHADES + 1) + steps[:, 1]) * (SHADES + 1) + steps[:, 2] + 1
-    return np.where(solid, numbers, 0).astype(np.intc)
-
-
-def _saturation(on_white: PictureArray, solid: BoolArray) -> FloatArray:
-    """Return the mean difference of the channels of what is painted."""
-    spread = on_white.max(axis=1) - on_white.min(axis=1)
-    return (spread * solid).sum(axis=(1, 2)) / np.maximum(solid.sum(axis=(1, 2)), 1)
-
-
-def _grown(ink: PictureArray) -> PictureArray:
-    """Return ink and what lies next to it."""
-    padded = np.pad(ink, 1)
-    grown = ink.copy()
-    for rows in (0, 1, 2):
-        for columns in (0, 1, 2):
-            np.maximum(grown, padded[rows : rows + len(ink), columns : columns + len(ink)], out=grown)
-    return grown
-
-
-def _more_asymmetric(pictures: PictureArray) -> float:
-    """Return by how much more pictures within differ from their mirror images than the ends do, as a share of ink."""
-    off = _largest(pictures - pictures[..., ::-1]).mean(axis=(1, 2))
-    off /= pictures[:, 3].mean(axis=(1, 2)) + 0.02
-    return float(np.maximum(off - max(off[0], off[-1]), 0.0)[INNER].mean())
+    numbers = steps[:, 0]
+    for k in range(1, steps.shape[1]):
+        numbers = numbers * (SHADES + 1) + steps[:, k]
+    return np.where(solid, numbers + 1, 0).astype(np.intc, copy=False)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.grading.features import Features, features
+from shapeblend_cli.grading.features import Features, features, shares
 from shapeblend_cli.grading.weights import BASE, GOOD, WEIGHTS
 
 if TYPE_CHECKING:
@@ -30,21 +30,17 @@ TOLD = 0.15
 
 PHRASES = {
     "edges_lost": "lines and detail melt away",
-    "edges_off": "lines and detail come or go on the way",
-    "ink_lost": "area is lost on the way",
-    "ink_off": "area swells or is lost on the way",
-    "swollen": "something swells to a lump",
-    "thickness_off": "lines or limbs get too thin or too fat",
+    "size_off": "the drawing swells or shrinks on the way",
+    "lumps": "something swells to a lump",
+    "slivers": "thin slivers are left over",
+    "spikes": "outlines grow spikes",
+    "notches": "outlines get notches and slots",
+    "directions": "lines tilt, bend or wobble",
+    "lopsided": "a symmetry is lost",
     "patches": "parts or colours are there twice, or break up",
     "pieces": "loose pieces float about",
-    "holes": "holes open that neither end has",
-    "detail": "there are many parts",
-    "detour": "parts go a long way round",
     "pop": "something changes suddenly",
-    "common_lost": "places that both ends cover are bare on the way",
-    "outside": "something swings out beyond both ends",
-    "lopsided": "a symmetry of both ends is lost",
-    "grey": "colours turn grey",
+    "detail": "there is much detail",
 }
 """The features as people see them."""
 
@@ -77,11 +73,9 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     """
     places = np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int)
     places = places[np.append(True, np.diff(places) > 0)]  # np.unique would load numpy.ma first
-    found = features(_without_ground([strip[k] for k in places.tolist()]))
-    # By square roots: the first fault is seen more than any that follow.
-    roots = np.sqrt(np.maximum(found, 0.0))
-    number = BASE + float(roots @ np.array(WEIGHTS))
-    parts = (roots - np.array(GOOD)) * np.array(WEIGHTS)
+    found = shares(np.array(features(_without_ground([strip[k] for k in places.tolist()]))))
+    number = BASE + float(found @ np.array(WEIGHTS))
+    parts = (found - np.array(GOOD)) * np.array(WEIGHTS._replace(detail=0.0))  # no fault of what lies between
     worst = int(parts.argmax())
     why = PHRASES[Features._fields[worst]] if parts[worst] >= TOLD else None
     return Grade(min(max(number, 0.0), WORST), why)

@@ -4,45 +4,37 @@ from __future__ import annotations
 
 from shapeblend_cli.grading.features import Features
 
-BASE = -0.205
+BASE = -1.514
 """Grade of a strip without faults."""
 
 WEIGHTS = Features(
-    edges_lost=0.593,
-    edges_off=0.067,
-    ink_lost=0.135,
-    ink_off=0.009,
-    swollen=0.552,
-    thickness_off=0.563,
-    patches=0.166,
-    pieces=0.320,
-    holes=0.293,
-    detail=0.121,
-    detour=0.975,
-    pop=0.504,
-    common_lost=0.000,
-    outside=0.000,
-    lopsided=0.076,
-    grey=0.000,
+    edges_lost=0.452,
+    size_off=0.318,
+    lumps=0.788,
+    slivers=0.227,
+    spikes=0.304,
+    notches=0.433,
+    directions=0.559,
+    lopsided=0.632,
+    patches=1.102,
+    pieces=0.539,
+    pop=0.344,
+    detail=2.811,
 )
-"""Additions to the grade for the square root of each feature."""
+"""Additions to the grade for each feature at its worst."""
 
 GOOD = Features(
-    edges_lost=0.083,
-    edges_off=0.163,
-    ink_lost=0.098,
-    ink_off=0.130,
-    swollen=0.065,
-    thickness_off=0.181,
-    patches=0.234,
-    pieces=0.013,
-    holes=0.010,
-    detail=1.016,
-    detour=0.495,
-    pop=0.365,
-    common_lost=0.133,
-    outside=0.085,
-    lopsided=0.091,
-    grey=0.020,
+    edges_lost=0.273,
+    size_off=0.167,
+    lumps=0.016,
+    slivers=0.295,
+    spikes=0.023,
+    notches=0.121,
+    directions=0.554,
+    lopsided=0.373,
+    patches=0.005,
+    pieces=0.003,
+    pop=0.506,
+    detail=0.424,
 )
-"""Mean square roots of the features of strips that were graded as drawn by hand."""
+"""Mean shares of the features of strips that were graded as drawn by hand."""

@@ -56,8 +56,8 @@ def test_pictures_on_an_opaque_ground_are_graded_as_drawings_are(tmp_path, capsy
 
 def test_a_grade_above_the_limit_fails(tmp_path, capsys):
     even, torn = frames(tmp_path / "even", EVEN), frames(tmp_path / "torn", TORN)
-    assert run(["judge", str(even), "--fail-over", "1.9"]) == 0
-    assert run(["judge", str(even), str(torn), "--fail-over", "1.9"]) == 1
+    assert run(["judge", str(even), "--fail-over", "1.5"]) == 0
+    assert run(["judge", str(even), str(torn), "--fail-over", "1.5"]) == 1
     table = capsys.readouterr().out.splitlines()
     assert table[0].split() == ["grade", "frames", "strip", "why"]
 

@@ -1,25 +1,29 @@
-"""Grades by people, and what best predicts them: a weighted sum of square roots of features."""
+"""Grades by people, and what best predicts them: a weighted sum of shares of features."""
 
 from __future__ import annotations
 
+from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.grading.features import Features
+from shapeblend_cli.grading.features import HALVES, Features, shares
 from shapeblend_cli.grading.grade import PHRASES
 from tools.quality.data import ROOT
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import BoolArray, FloatArray
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray
 
 GRADES = Path(__file__).with_name("grades.tsv")
 WEIGHTS = ROOT / "shapeblend_cli" / "grading" / "weights.py"
 PAGE = ROOT / "docs" / "judge.md"
 
-RIDGE = 10.0
-"""Weight of the squares of the weights, in strips: many features see the same fault, and share it."""
+RIDGE = 0.01
+"""Weight of the squares of the weights beside the mean square error: many features see the same fault, and share it."""
+
+BESIDE = 0.3
+"""Weight of errors of differences between two strips of one pair, beside errors of grades: the judge also chooses."""
 
 ROUNDS = 400
 """Number of rounds of coordinate descent; the weights stand still long before."""
@@ -35,56 +39,100 @@ from shapeblend_cli.grading.features import Features
 '''
 
 
+KINDS = {
+    "designers' drawings": "animals, emoji, logos: two designers or more",
+    "designers' icons": "interface icons: one designer or more",
+    "fresh eyes": "other interface icons of npm sets: one grader or two",
+    "own": "other drawings of npm sets: one of the authors",
+}
+"""What was graded by whom. Each kind counts as much as any other when weights are fitted."""
+
+
 class Graded(NamedTuple):
     """Strips and their grades, a row each."""
 
     pairs: list[str]  # strips of one pair have one name
     made: list[str]
-    by_designers: BoolArray  # (n,)
-    grades: FloatArray  # (n,)
-    roots: FloatArray  # (n, features), square roots
+    kinds: list[str]  # of `KINDS`
+    eyes: FloatArray  # (n,), how many people graded it
+    grades: FloatArray  # (n,), their mean
+    amounts: FloatArray  # (n, features)
+
+    @property
+    def shares(self) -> FloatArray:
+        """Features as shares of the worst."""
+        return shares(self.amounts)
+
+    def are(self, kind: str) -> BoolArray:
+        """Return which strips are of a kind."""
+        return np.array([one == kind for one in self.kinds])
 
     def take(self, some: BoolArray) -> Graded:
         """Return some of the strips."""
         at = np.flatnonzero(some).tolist()
-        pairs, made = [self.pairs[k] for k in at], [self.made[k] for k in at]
-        return Graded(pairs, made, self.by_designers[some], self.grades[some], self.roots[some])
+        pairs, made, kinds = ([values[k] for k in at] for values in self[:3])
+        return Graded(pairs, made, kinds, *(values[some] for values in self[3:]))
 
 
 class Fit(NamedTuple):
-    """A base and what each square root adds to it."""
+    """A base and what each feature adds to it at its worst."""
 
     base: float
     weights: FloatArray
 
-    def predict(self, roots: FloatArray) -> FloatArray:
+    def predict(self, strips: Graded) -> FloatArray:
         """Return grades."""
-        return self.base + roots @ self.weights
+        return self.base + strips.shares @ self.weights
 
 
 def graded() -> Graded:
     """Read the strips that people graded."""
     head, *rows = (line.split("\t") for line in GRADES.read_text().splitlines())
-    assert tuple(head[4:]) == Features._fields
-    pairs, made, graders, *numbers = zip(*rows, strict=True)
+    assert tuple(head[5:]) == Features._fields
+    pairs, made, kinds, *numbers = zip(*rows, strict=True)
     values = np.array(numbers, np.float64).T
-    return Graded(
-        list(pairs), list(made), np.array(graders) == "designers", values[:, 0], np.sqrt(values[:, 1:])
-    )
+    return Graded(list(pairs), list(made), list(kinds), values[:, 0], values[:, 1], values[:, 2:])
 
 
 def fit(strips: Graded) -> Fit:
-    """Return the weights, none below 0, with the least squares of errors and, times `RIDGE`, of weights."""
-    mean, spread = strips.roots.mean(axis=0), strips.roots.std(axis=0) + 1e-9
-    z, grades = (strips.roots - mean) / spread, strips.grades - strips.grades.mean()
-    products, wanted = z.T @ z + RIDGE * np.eye(len(mean)), z.T @ grades
+    """Return the weights, none below 0, with the least squares of errors and, times `RIDGE`, of weights.
+
+    Errors are those of grades and, times `BESIDE`, those of differences between strips of one pair.
+    """
+    found, count = strips.shares, _counts(strips, np.arange(len(strips.grades)))
+    mean, middle = count @ found, float(count @ strips.grades)
+    spread = np.sqrt(count @ (found - mean) ** 2) + 1e-9
+    z, off = (found - mean) / spread, strips.grades - middle
+    products, wanted = (z.T * count) @ z + RIDGE * np.eye(len(mean)), (z.T * count) @ off
+    i, j = _beside(strips)
+    count = BESIDE * _counts(strips, i)
+    products += ((z[i] - z[j]).T * count) @ (z[i] - z[j])
+    wanted += ((z[i] - z[j]).T * count) @ (off[i] - off[j])
     weights = np.zeros(len(mean))
     for _ in range(ROUNDS):
         for k in range(len(weights)):
             rest = wanted[k] - products[k] @ weights + products[k, k] * weights[k]
             weights[k] = max(0.0, rest / products[k, k])
     weights /= spread
-    return Fit(float(strips.grades.mean() - mean @ weights), weights)
+    return Fit(middle - float(mean @ weights), weights)
+
+
+def _counts(strips: Graded, which: IntArray) -> FloatArray:
+    """Return how much some strips count, 1 in all: by the root of the number of their graders, each kind alike."""
+    counts, kinds = np.sqrt(strips.eyes[which]), np.array(strips.kinds)[which]
+    for kind in KINDS:
+        counts[kinds == kind] /= max(counts[kinds == kind].sum(), 1.0)
+    return np.asarray(counts / max(counts.sum(), 1e-9), np.float64)
+
+
+def _beside(strips: Graded) -> tuple[IntArray, IntArray]:
+    """Return the strips of one pair, two by two."""
+    places: dict[str, list[int]] = {}
+    for k, pair in enumerate(strips.pairs):
+        places.setdefault(pair, []).append(k)
+    found = [two for group in places.values() for two in combinations(group, 2)]
+    first, second = np.array(found, np.intp).reshape(-1, 2).T
+    return first, second
 
 
 def predicted(strips: Graded) -> FloatArray:
@@ -95,7 +143,7 @@ def predicted(strips: Graded) -> FloatArray:
     parts = np.array([part[pair] for pair in strips.pairs])
     found = np.zeros(len(parts))
     for k in range(FOLDS):
-        found[parts == k] = fit(strips.take(parts != k)).predict(strips.roots[parts == k])
+        found[parts == k] = fit(strips.take(parts != k)).predict(strips.take(parts == k))
     return found
 
 
@@ -123,13 +171,11 @@ def right_orders(strips: Graded, grades: FloatArray) -> tuple[int, int]:
 def weights_file(strips: Graded) -> str:
     """Return the module of weights."""
     found = fit(strips)
-    good = strips.roots[strips.grades <= 0.5].mean(axis=0)
+    good = strips.shares[strips.grades <= 0.5].mean(axis=0)
     return (
         f'{HEAD}\nBASE = {found.base:.3f}\n"""Grade of a strip without faults."""\n'
-        + _features("WEIGHTS", found.weights, "Additions to the grade for the square root of each feature.")
-        + _features(
-            "GOOD", good, "Mean square roots of the features of strips that were graded as drawn by hand."
-        )
+        + _features("WEIGHTS", found.weights, "Additions to the grade for each feature at its worst.")
+        + _features("GOOD", good, "Mean shares of the features of strips that were graded as drawn by hand.")
     )
 
 
@@ -145,25 +191,30 @@ def page(strips: Graded) -> str:
     found, grades = fit(strips), predicted(strips)
     rows = []
     for k, name in sorted(enumerate(Features._fields), key=lambda one: -found.weights[one[0]]):
-        alone = rank_correlation(strips.roots[:, k], strips.grades)
-        rows.append(f"| `{name}` | {PHRASES[name]} | {found.weights[k]:.2f} | {alone:.2f} |")
+        alone = rank_correlation(strips.amounts[:, k], strips.grades)
+        rows.append(f"| `{name}` | {PHRASES[name]} | {found.weights[k]:.2f} | {HALVES[k]:g} | {alone:.2f} |")
     checks = []
-    designers = strips.by_designers
-    animals = np.array([":" not in pair for pair in strips.pairs])
-    for some, what in (
-        (designers & animals, "animals, emoji, logos: two designers"),
-        (designers & ~animals, "interface icons: one designer"),
-        (~designers, "other blends of npm sets: one of the authors, shuffled and without names"),
-    ):
-        right, total = right_orders(strips.take(some), grades[some])
-        order = f"{right} of {total}" if total else "-"
-        correlation = rank_correlation(grades[some], strips.grades[some])
-        checks.append(f"| {what} | {int(some.sum())} | {correlation:.2f} | {order} |")
+    for kind, what in KINDS.items():
+        some = strips.are(kind)
+        for name, these in _parts(strips, some):
+            right, total = right_orders(strips.take(these), grades[these])
+            order = f"{right} of {total}" if total else "-"
+            correlation = rank_correlation(grades[these], strips.grades[these])
+            checks.append(f"| {what}{name} | {int(these.sum())} | {correlation:.2f} | {order} |")
     return PAGE_TEXT.format(
         count=len(grades),
         rows="\n".join(rows),
         checks="\n".join(checks),
     )
+
+
+def _parts(strips: Graded, some: BoolArray) -> list[tuple[str, BoolArray]]:
+    """Return strips of a kind by their versions, if they were made by some, and all of them."""
+    versions = sorted(
+        {made for made, is_one in zip(strips.made, some, strict=True) if is_one and "version" in made}
+    )
+    parts = [(f"; {one}", some & np.array([made == one for made in strips.made])) for one in versions]
+    return [*parts, ("; all" if versions else "", some)]
 
 
 PAGE_TEXT = """# Grades of frames
@@ -180,16 +231,18 @@ Each frame is drawn as a picture of 96 x 96 pixels. Strips of more than seven fr
 dashes and gradients are drawn roughly: with their mean colours, without dashes, whole. If the corners of the first
 and the last frame have one opaque colour, this is the ground.
 
-The grade is a base and a weighted sum of the square roots of the features below. Each is 0 where nothing is wrong.
-Weights are not negative, so that the largest addition is the reason that is printed. `make judge-weights` fits them to
-{count} graded strips, `tools/grading/grades.tsv`, and writes this page.
+The grade is a base and what the features below add to it. Each is 0 where nothing is wrong, and adds nothing then. As
+it grows, it adds more, but never more than its weight, and half of its weight where it is as large as the column "half
+at" says: what is seen first counts most. No weight is negative, so that the largest addition is the reason that is
+printed. `make judge-weights` fits the weights to {count} graded strips, `tools/grading/grades.tsv`, and writes this
+page.
 
-| feature | as people see it | weight | rank correlation with grades, alone |
-| --- | --- | --- | --- |
+| feature | as people see it | weight | half at | rank correlation with grades, alone |
+| --- | --- | --- | --- | --- |
 {rows}
 
 Each strip below is graded by weights that were fitted to strips of other drawings. Of two strips of the same drawings
-that people graded differently, the last column counts those in the right order.
+that people graded differently, the last column counts those in the right order. Several graders count with their mean.
 
 | strips | number | rank correlation | right order |
 | --- | --- | --- | --- |
