@@ -1,4 +1,4 @@
-"""The grade of a blend, by pictures of it."""
+"""The grade of a blend, by pictures of it, and the number by which blends of the same shapes compare."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.grading.grade import Grade
-    from shapeblend_cli.model import ShapeBlend
+    from shapeblend_cli.model import PictureArray, ShapeBlend
 
 STEPS = 6
 """Number of steps between the pictures that are graded."""
@@ -34,21 +34,30 @@ def grade_of(pair: Pair) -> Grade:
 
     Drawings that take each other's place have a grade of their own: their frames have lost what the judge looks for.
     """
-    # Most blends are not graded.
-    from shapeblend_cli.frames.frames import shapes_at
-    from shapeblend_cli.frames.outlined import with_outlined_text
-    from shapeblend_cli.grading.grade import Grade, grade
-    from shapeblend_cli.grading.painting import picture
+    from shapeblend_cli.grading.grade import Grade, grade  # most blends are not graded
 
-    if is_swapped(pair.shapes):
-        return Grade(SWAP_GRADE, None)
-    view, pair = Box.union(list(pair.views)), with_outlined_text(pair)
-    return grade([picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)])
+    return Grade(SWAP_GRADE, None) if is_swapped(pair.shapes) else grade(_strip(pair))
 
 
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
-    """Return the grade of some shapes alone, a number."""
-    return grade_of(Pair(0, 1, tuple(shapes), ((), ()), (view, view))).number
+    """Return about a grade of some shapes alone, by which blends of them compare."""
+    from shapeblend_cli.grading.grade import without_ground
+    from shapeblend_cli.grading.preference import grade_among_blends
+
+    if is_swapped(shapes):
+        return SWAP_GRADE
+    pair = Pair(0, 1, tuple(shapes), ((), ()), (view, view))
+    return min(grade_among_blends(without_ground(_strip(pair))), 3.0)
+
+
+def _strip(pair: Pair) -> list[PictureArray]:
+    """Return pictures of a pair at even times."""
+    from shapeblend_cli.frames.frames import shapes_at
+    from shapeblend_cli.frames.outlined import with_outlined_text
+    from shapeblend_cli.grading.painting import picture
+
+    view, pair = Box.union(list(pair.views)), with_outlined_text(pair)
+    return [picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)]
 
 
 def is_suspect(shapes: Sequence[ShapeBlend]) -> bool:

@@ -113,12 +113,12 @@ def features(strip: Sequence[PictureArray]) -> Features:
     on_white = bare[:, None] if pictures.shape[1] == 1 else pictures[:, :3] + bare[:, None]
     side, area = ink.shape[-1], ink.mean(axis=(1, 2))
     size = 0.5 * (area[0] + area[-1]) + 0.01
-    edges = _edges(pictures)
+    lengths = edges(pictures)
     border, thin, deep = _eroded(solid)
     spikes, notches = _corners(solid, border)
     patches, pieces = _regions(on_white, solid)
     steps = _steps(pictures) + 1e-3
-    edge_ratio = _ratio(edges, 0.1)
+    edge_ratio = _ratio(lengths, 0.1)
     return Features(
         edges_lost=float(np.maximum(-edge_ratio, 0.0).mean()),
         size_off=float(np.abs(_ratio(_spread(ink), 0.01)).mean()),
@@ -131,18 +131,18 @@ def features(strip: Sequence[PictureArray]) -> Features:
         patches=_beyond_ends(patches),
         pieces=_beyond_ends(pieces),
         pop=float(np.log(steps.max() / steps.mean())),
-        detail=float(0.5 * (edges[0] + edges[-1])),
+        detail=float(0.5 * (lengths[0] + lengths[-1])),
     )
 
 
-def _even(values: FloatArray) -> FloatArray:
+def even(values: FloatArray) -> FloatArray:
     """Return an even change from the first value to the last."""
     return np.linspace(values[0], values[-1], len(values))
 
 
 def _ratio(values: FloatArray, little: float) -> FloatArray:
     """Return the logarithms of values within over those of an even change, both with a little more."""
-    return np.log((values + little) / (_even(values) + little))[INNER]
+    return np.log((values + little) / (even(values) + little))[INNER]
 
 
 def _beyond_ends(values: FloatArray) -> float:
@@ -152,10 +152,10 @@ def _beyond_ends(values: FloatArray) -> float:
 
 def _beyond_even(values: FloatArray) -> float:
     """Return by how much values within exceed an even change, on average."""
-    return float(np.maximum(values - _even(values), 0.0)[INNER].mean())
+    return float(np.maximum(values - even(values), 0.0)[INNER].mean())
 
 
-def _largest(differences: PictureArray) -> PictureArray:
+def largest(differences: PictureArray) -> PictureArray:
     """Return the largest difference of the channels, (n, channels, ...), at each pixel."""
     first, *others = np.abs(differences, out=differences).swapaxes(0, 1)
     for other in others:
@@ -163,14 +163,14 @@ def _largest(differences: PictureArray) -> PictureArray:
     return first
 
 
-def _edges(pictures: PictureArray) -> FloatArray:
+def edges(pictures: PictureArray) -> FloatArray:
     """Return the length of edges in each picture, in its sides: by crossings in four directions (Crofton)."""
     side = pictures.shape[-1]
     lengths = np.zeros(len(pictures))
     for rows, columns, spacing in ((0, 1, 1.0), (1, 0, 1.0), (1, 1, 2**-0.5), (1, -1, 2**-0.5)):
         one = pictures[..., : side - rows, max(0, -columns) : side - max(0, columns)]
         next_one = pictures[..., rows:, max(0, columns) : side + min(0, columns)]
-        lengths += spacing * _largest(next_one - one).sum(axis=(1, 2))
+        lengths += spacing * largest(next_one - one).sum(axis=(1, 2))
     return np.pi / 8.0 * lengths / side
 
 
@@ -262,21 +262,21 @@ def _steps(pictures: PictureArray) -> FloatArray:
     end = pictures.shape[-1] // COARSE * COARSE
     rows = np.add.reduce([pictures[:, :, k:end:COARSE, :end] for k in range(COARSE)])
     coarse = np.add.reduce([rows[..., k::COARSE] for k in range(COARSE)]) / COARSE**2
-    return _largest(coarse[1:] - coarse[:-1]).mean(axis=(1, 2))
+    return largest(coarse[1:] - coarse[:-1]).mean(axis=(1, 2))
 
 
 def _asymmetry(pictures: PictureArray) -> FloatArray:
     """Return how far each picture differs from its mirror image, about that of two axes where it does so less."""
     half = pictures.shape[-1] // 2
-    across = _largest(pictures[..., :half] - pictures[..., : -half - 1 : -1])
-    upside = _largest(pictures[..., :half, :] - pictures[..., : -half - 1 : -1, :])
+    across = largest(pictures[..., :half] - pictures[..., : -half - 1 : -1])
+    upside = largest(pictures[..., :half, :] - pictures[..., : -half - 1 : -1, :])
     return np.minimum(across.mean(axis=(1, 2)), upside.mean(axis=(1, 2)))
 
 
 def _regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, FloatArray]:
     """Return the numbers of patches of one colour, and of separate pieces, in each picture."""
     found = []
-    for numbers, inked in zip(_colours(on_white, solid), solid, strict=True):
+    for numbers, inked in zip(colours(on_white, solid), solid, strict=True):
         patches = count_regions(numbers, LEAST_REGION)[0]
         is_plain = np.array_equal(numbers == numbers.max(), inked)
         pieces = patches if is_plain else count_regions(inked.astype(np.intc), LEAST_REGION)[0]
@@ -285,7 +285,7 @@ def _regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, Floa
     return patches, pieces
 
 
-def _colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
+def colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
     """Return a number for each colour that can be told apart; 0 where nothing is painted."""
     steps = np.rint(SHADES * on_white).astype(np.intc)
     numbers = steps[:, 0]

@@ -73,7 +73,7 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     """
     places = np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int)
     places = places[np.append(True, np.diff(places) > 0)]  # np.unique would load numpy.ma first
-    found = shares(np.array(features(_without_ground([strip[k] for k in places.tolist()]))))
+    found = shares(np.array(features(without_ground([strip[k] for k in places.tolist()]))))
     number = BASE + float(found @ np.array(WEIGHTS))
     parts = (found - np.array(GOOD)) * np.array(WEIGHTS._replace(detail=0.0))  # no fault of what lies between
     worst = int(parts.argmax())
@@ -81,7 +81,7 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     return Grade(min(max(number, 0.0), WORST), why)
 
 
-def _without_ground(strip: list[PictureArray]) -> list[PictureArray]:
+def without_ground(strip: list[PictureArray]) -> list[PictureArray]:
     """Return pictures whose ground, if both ends have the same one, is transparent."""
     corners = np.stack([strip[k][:, [0, 0, -1, -1], [0, -1, 0, -1]] for k in (0, -1)])
     if corners[:, 3].min() < 0.99 or np.ptp(corners, axis=(0, 2)).max() > 0.02:

@@ -1,7 +1,7 @@
 """Outlines in which much goes wrong are matched in another way where that looks better."""
 
 from shapeblend_cli.blending import rematched
-from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.blending.graded import grade_of_shapes
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -29,9 +29,13 @@ def test_fingers_that_come_apart_are_cut_from_the_hand():
 
 
 def test_points_stay_nearer_to_their_places_if_that_looks_better(monkeypatch):
-    better = grade_of(pair_of(*SEA)).number
+    def compared():
+        pair = pair_of(*SEA)
+        return grade_of_shapes(pair.shapes, pair.views[0])
+
+    better = compared()
     monkeypatch.setattr(rematched, "IN_PLACE", ())
-    assert better < grade_of(pair_of(*SEA)).number - 0.3
+    assert better < compared() - 0.3
 
 
 def test_a_small_gain_cuts_nothing(monkeypatch):

@@ -22,12 +22,15 @@ KEEP = ("--strokes", "keep")  # a comb and a spiral are pen lines, too
 
 
 def path(z):
+    """Path data of a polygon that fills the view."""
+    z = z - z.real.min() - 1j * z.imag.min()
+    z = 1 + 1j + 22 * (z.real / z.real.max() + 1j * z.imag / z.imag.max())
     return "M" + " ".join(f"{v.real:.4f},{v.imag:.4f}" for v in z) + "Z"
 
 
 @pytest.fixture(autouse=True)
 def here(here):
-    write(comb=svg(path(comb(9))), spiral=svg(path(spiral(4.0, 90))), bar=svg(BAR))
+    write(comb=svg(path(comb(5))), spiral=svg(path(spiral(4.0, 90))), bar=svg(BAR))
     return here
 
 

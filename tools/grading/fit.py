@@ -249,7 +249,9 @@ that people graded differently, the last column counts those in the right order.
 {checks}
 
 The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
-chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one.
+chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one. Where
+other pairings are tried, pictures are compared by an older set of features, `shapeblend_cli/grading/preference.py`:
+when these chose by the features above, people preferred fewer of the blends.
 """
 
 
