@@ -36,6 +36,15 @@ if TYPE_CHECKING:
 DETAILED = 5.0
 """Minimum length of the outlines of a drawing that may be torn, in sides of the view."""
 
+PLAIN = 3.3
+"""Maximum length of the outlines of a plain drawing, in the same measure: holes of the other one close as they are."""
+
+ROW = 3
+"""Minimum number of letters in a row, whose gaps stay open."""
+
+TALL = 0.5
+"""Minimum height of a letter in a row, as a share of the tallest one's."""
+
 VOID = 0.1
 """Maximum radius of a hole that closes, and of what gaps enclose, in the same measure."""
 
@@ -121,11 +130,25 @@ def with_silhouettes(
 
 
 def _may_be_torn(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -> bool:
-    """Return whether a drawing has much detail, and outlines are bent or have no partner."""
+    """Return whether a drawing has much detail, and the other one some, and outlines are bent or have no partner."""
     lengths = [sum(length(contour.polygon.line) for contour in each.contours) for each in (a, b)]
-    if max(lengths) < DETAILED * view.larger_side:
+    if max(lengths) < DETAILED * view.larger_side or min(lengths) < PLAIN * view.larger_side:
+        return False
+    if any(map(_is_row, (a, b))):
         return False
     return is_suspect(usual) or any(not contour.is_matched for shape in usual for contour in shape.contours)
+
+
+def _is_row(drawing: PlacedDrawing) -> bool:
+    """Return whether a drawing is a row of parts side by side, such as letters."""
+    columns: list[Box] = []
+    for box in sorted(contour.box for contour in drawing.contours):
+        if columns and box.x < columns[-1].x + columns[-1].width:
+            columns[-1] = Box.union([columns[-1], box])
+        else:
+            columns.append(box)
+    heights = [box.height for box in columns]
+    return len(columns) >= ROW and min(heights) >= TALL * max(heights)
 
 
 def _sides(

@@ -159,8 +159,24 @@ def test_holes_in_other_outlines_do_not_pair_these():
 @pytest.mark.usefixtures("always")
 def test_wide_gaps_close_where_outlines_are_bent(monkeypatch):
     paths = "M4 4H60V30H4Z M4 34.5H60V60H4Z", "M2 10H62V40H2Z"
+    monkeypatch.setattr(blend, "PLAIN", 0.0)
     assert not closes(two(*paths))
     monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, bent=True),))
     assert closes(two(*paths))
     monkeypatch.setattr(blend, "is_suspect", lambda shapes: False)
     assert not closes(two(*paths))
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_letters_do_not_melt_together(always, backwards):
+    letters = "".join(f"M{x} 20h12v24h-12zm3 3v8h6v-8z" for x in (2, 18, 34, 50))
+    plate = "M2 20H62V44H2ZM4 22V42H20V22ZM23 22V42H41V22ZM44 22V42H60V22Z"
+    assert not closes(two(*[letters, plate][:: -1 if backwards else 1]))
+    assert closes(two(plate, TURTLE))
+
+
+def test_what_becomes_a_plain_shape_closes_its_holes_as_they_are(always, monkeypatch):
+    bars, triangle = "M4 4H60V60H4ZM12 14V20H52V14ZM12 28V34H52V28ZM12 42V48H52V42Z", "M4 4L60 32 4 60Z"
+    assert not closes(two(bars, triangle))
+    monkeypatch.setattr(blend, "PLAIN", 0.0)
+    assert closes(two(bars, triangle))
