@@ -75,7 +75,7 @@ def with_other_matches(
     if pieces is not None:
         stiffnesses = sorted({paired.settings.k_t, least[1].settings.k_t})
         cut = min((_graded(_stiffer(pieces, each), move, view) for each in stiffnesses), key=_number)
-        if cut[0] < min(grade - TORN, found[0] - NEARER):
+        if cut[0] < found[0] - TORN:
             found = cut
     return found[1:]
 
