@@ -43,7 +43,7 @@ MOST_ALONE = 0.28
 UNREADABLE = 1.8
 """Minimum grade of a blend of two signs, where lines that split or come and go are bent, for them to be swapped."""
 
-SENT_BACK = 1.45
+SENT_BACK = 1.5
 """Minimum grade of a blend of two signs, a line of which is bent very much, or of one that shrivels to a stroke."""
 
 WAVY = 2.0 * np.pi
@@ -112,8 +112,8 @@ def least_grade(shapes: Shapes) -> float:
     """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
 
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
-    the ring of a play button, may straighten, but for wavy ones. Where much comes
-    and goes there must be less bending.
+    the ring of a play button, may straighten, but for wavy ones; so may lines that unroll by lengths and angles. Where
+    much comes and goes there must be less bending.
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
@@ -126,7 +126,8 @@ def least_grade(shapes: Shapes) -> float:
             if not contour.is_matched or all(are_rings):
                 continue
             bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
-            if bending > MOST_BENT and shape.reason != COPY:
+            may_straighten = shape.reason == COPY or shape.motion_name == "intrinsic"
+            if bending > MOST_BENT and (any(are_rings) or not may_straighten):
                 return SENT_BACK
             bent = max(bent, bending)
     is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
