@@ -134,13 +134,15 @@ def _may_be_torn(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -
     lengths = [sum(length(contour.polygon.line) for contour in each.contours) for each in (a, b)]
     if max(lengths) < DETAILED * view.larger_side or min(lengths) < PLAIN * view.larger_side:
         return False
-    if any(map(_is_row, (a, b))):
+    if any(map(_has_letters, (a, b))):
         return False
     return is_suspect(usual) or any(not contour.is_matched for shape in usual for contour in shape.contours)
 
 
-def _is_row(drawing: PlacedDrawing) -> bool:
-    """Return whether a drawing is a row of parts side by side, such as letters."""
+def _has_letters(drawing: PlacedDrawing) -> bool:
+    """Return whether a drawing has text, or is a row of parts side by side, as letters are that became outlines."""
+    if any(shape.element == "text" for shape in drawing.drawing.shapes):
+        return True
     columns: list[Box] = []
     for box in sorted(contour.box for contour in drawing.contours):
         if columns and box.x < columns[-1].x + columns[-1].width:
