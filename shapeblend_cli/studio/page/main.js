@@ -204,7 +204,7 @@ function show(answer, project) {
   stage.show(answer);
   const { number, name, why } = answer.grade;
   at("verdict").textContent = `Grade ${number.toFixed(1)} of 3, ${name}${why ? `: ${why}` : ""}`;
-  at("verdict").dataset.is = number < 1.0 ? "right" : number >= 2.0 ? "poor" : "fair";
+  at("verdict").dataset.is = number < 0.5 ? "right" : number >= 2.0 ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer);
   pointAtFlaws();
