@@ -29,8 +29,6 @@ else:
     from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
-
     from shapeblend_cli.model import ComplexArray, FloatArray
 
 COMPILED = cython.compiled
@@ -93,15 +91,20 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     at = ends[: len(vertices)] / length
     if closed:
         turn = direction - rolled(direction, 1)
-        parts = (at - 1.0, turn), (at, turn), (at + 1.0, turn)
+        turns = np.concatenate([turn, turn, turn])
+        corners = np.concatenate([at - 1.0, at, at + 1.0])
     else:
         turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
-        parts = (-at[:0:-1], -turn[:0:-1]), (at, turn), (2.0 - at[-2::-1], -turn[-2::-1])
+        turns = np.concatenate([-turn[:0:-1], turn, -turn[-2::-1]])
+        corners = np.concatenate([-at[:0:-1], at, 2.0 - at[-2::-1]])
     count = int(np.ceil(GRID / sigma))
     if len(vertices) <= MANY * count:
-        return vertices + (1.0 - OUTLINE) * sigma * length * _moves(at, parts, sigma)
-    grid = np.arange(count + 1) / count
-    smooth = np.interp(grid, ends / length, outline) + sigma * length * _moves(grid, parts, sigma)
+        moves = np.zeros(len(vertices), np.complex128)
+        _add_moves(at, corners, turns, sigma, moves)
+        return vertices + (1.0 - OUTLINE) * sigma * length * moves
+    grid, moves = np.arange(count + 1) / count, np.zeros(count + 1, np.complex128)
+    _add_moves(grid, corners, turns, sigma, moves)
+    smooth = np.interp(grid, ends / length, outline) + sigma * length * moves
     return vertices + (1.0 - OUTLINE) * (_interpolated(smooth, count * at) - vertices)
 
 
@@ -118,112 +121,60 @@ def _interpolated(values: ComplexArray, at: FloatArray) -> ComplexArray:
     return sought
 
 
-def _moves(
-    places: FloatArray, parts: Sequence[tuple[FloatArray, ComplexArray]], sigma: float
-) -> ComplexArray:
-    """Return the moves of places, in standard deviations, by all corners and the turns there."""
-    moves = np.zeros((len(places), 2))
-    for corners, turn in parts:
-        turns = turn.view(np.float64).reshape(-1, 2)
-        if corners is places:
-            _add_own_moves(places, turns, sigma, moves)
-        else:
-            _add_moves(places, corners, turns, sigma, moves)
-    return moves.view(np.complex128)[:, 0]
-
-
 @cython.cfunc
 def _add_moves(
     at: cython.double[::1],
     corners: cython.double[::1],
-    turns: cython.double[:, ::1],
+    turns: cython.doublecomplex[::1],
     sigma: cython.double,
-    moves: cython.double[:, ::1],
+    moves: cython.doublecomplex[::1],
 ) -> None:
-    """Add to x and y of moves of vertices, at rising places, those by corners within reach, in standard deviations."""
+    """Add up the moves of vertices, at rising places, by the corners within reach, in standard deviations."""
     first: cython.Py_ssize_t = 0
     corner: cython.Py_ssize_t
     vertex: cython.Py_ssize_t
     reach: cython.double = REACH * sigma
-    ramp: cython.double[:, ::1] = _ramp()
+    heights: cython.double[::1]
+    slopes: cython.double[::1]
+    heights, slopes = _ramp()
     for vertex in range(at.shape[0]):
         if vertex % 64 == 0:
             look_for_signals()
-        while first < corners.shape[0] and corners[first] < at[vertex] - reach:
+        while corners[first] < at[vertex] - reach:
             first += 1
         corner = first
-        x: cython.double = moves[vertex, 0]
-        y: cython.double = moves[vertex, 1]
+        x: cython.double = 0.0
+        y: cython.double = 0.0
         while corner < corners.shape[0] and corners[corner] <= at[vertex] + reach:
-            height: cython.double = _height(fabs(corners[corner] - at[vertex]) / sigma, ramp)
-            x += turns[corner, 0] * height
-            y += turns[corner, 1] * height
+            place: cython.double = fabs(corners[corner] - at[vertex]) / sigma * FINE
+            k: cython.Py_ssize_t = cython.cast(cython.Py_ssize_t, place)
+            u: cython.double = place - k
+            # Hermite's cubic between two places of the table.
+            rest: cython.double = 1.0 - u
+            height: cython.double = (1.0 + 2.0 * u) * rest * rest * heights[k]
+            height += (3.0 - 2.0 * u) * u * u * heights[k + 1]
+            height += u * rest * (rest * slopes[k] - u * slopes[k + 1])
+            x += turns[corner].real * height
+            y += turns[corner].imag * height
             corner += 1
-        moves[vertex, 0], moves[vertex, 1] = x, y
-
-
-@cython.cfunc
-def _add_own_moves(
-    at: cython.double[::1],
-    turns: cython.double[:, ::1],
-    sigma: cython.double,
-    moves: cython.double[:, ::1],
-) -> None:
-    """Do what `_add_moves` does where the vertices are the corners: each two move each other by one height."""
-    vertex: cython.Py_ssize_t
-    corner: cython.Py_ssize_t
-    reach: cython.double = REACH * sigma
-    ramp: cython.double[:, ::1] = _ramp()
-    for vertex in range(at.shape[0]):
-        if vertex % 64 == 0:
-            look_for_signals()
-        turn_x: cython.double = turns[vertex, 0]
-        turn_y: cython.double = turns[vertex, 1]
-        height: cython.double = _height(0.0, ramp)
-        x: cython.double = moves[vertex, 0] + turn_x * height
-        y: cython.double = moves[vertex, 1] + turn_y * height
-        corner = vertex + 1
-        while corner < at.shape[0] and at[corner] <= at[vertex] + reach:
-            height = _height((at[corner] - at[vertex]) / sigma, ramp)
-            x += turns[corner, 0] * height
-            y += turns[corner, 1] * height
-            moves[corner, 0] += turn_x * height
-            moves[corner, 1] += turn_y * height
-            corner += 1
-        moves[vertex, 0], moves[vertex, 1] = x, y
-
-
-@cython.cfunc
-@cython.inline
-@cython.exceptval(check=False)
-def _height(away: cython.double, ramp: cython.double[:, ::1]) -> cython.double:
-    """Return how high the smoothed ramp is above itself at a distance: Hermite's cubic between two places of it."""
-    place: cython.double = away * FINE
-    k: cython.Py_ssize_t = cython.cast(cython.Py_ssize_t, place)
-    u: cython.double = place - k
-    rest: cython.double = 1.0 - u
-    height: cython.double = (1.0 + 2.0 * u) * rest * rest * ramp[k, 0]
-    height += (3.0 - 2.0 * u) * u * u * ramp[k + 1, 0]
-    return height + u * rest * (rest * ramp[k, 1] - u * ramp[k + 1, 1])
+        moves[vertex] = x + 1j * y
 
 
 @cache
-def _ramp() -> FloatArray:
+def _ramp() -> tuple[FloatArray, FloatArray]:
     """Return the height of the ramp max(x, 0), smoothed by the standard Gaussian, above itself at x, and its slope.
 
-    They are known at `FINE` places x in a standard deviation, (MOST, 2). A cubic between two of them is off by
-    1e-15.
+    They are known at `FINE` places x in a standard deviation. A cubic between two of them is off by 1e-15.
     """
-    ramp = np.empty((MOST, 2))
-    _fill_ramp(ramp)
-    ramp[:, 1] /= FINE
-    return ramp
+    heights, slopes = np.empty(MOST), np.empty(MOST)
+    _fill_ramp(heights, slopes)
+    return heights, slopes / FINE
 
 
-def _fill_ramp(ramp: cython.double[:, ::1]) -> None:
+def _fill_ramp(heights: cython.double[::1], slopes: cython.double[::1]) -> None:
     """Fill in the heights, and the slopes in a standard deviation."""
     k: cython.Py_ssize_t
-    for k in range(ramp.shape[0]):
+    for k in range(heights.shape[0]):
         x: cython.double = k / FINE
-        ramp[k, 1] = -0.5 * erfc(x * ROOT_HALF)
-        ramp[k, 0] = exp(-0.5 * x * x) / ROOT_TWO_PI + x * ramp[k, 1]
+        slopes[k] = -0.5 * erfc(x * ROOT_HALF)
+        heights[k] = exp(-0.5 * x * x) / ROOT_TWO_PI + x * slopes[k]
