@@ -107,27 +107,26 @@ def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[comple
 
     The centres are those of both drawings, about which they may be symmetric.
     """
-    best: tuple[float, Assignment] | None = None
+    tries: list[tuple[float, Assignment]] = []
     for cut_a, cut_b in product((False, True), repeat=2):
         some, others = (_cut(a) if cut_a else list(a)), (_cut(b) if cut_b else list(b))
         if (cut_a and len(some) == len(a)) or (cut_b and len(others) == len(b)):
             continue
         work, pairs = _assigned(some, others, centres)
         cuts = CUT_COST * sum(line.length for line in (*(a if cut_a else ()), *(b if cut_b else ())))
-        work += cuts + CROSSING_COST * _new_crossings(some, others, pairs)
-        if best is None or work < best[0]:
-            best = work, Assignment(some, others, pairs)
-    assert best is not None
-    return best[1]
+        tries.append((work + cuts, Assignment(some, others, pairs)))
+    if len(tries) == 1:  # crossings decide nothing
+        return tries[0][1]
+    return min(tries, key=lambda each: each[0] + CROSSING_COST * _new_crossings(each[1]))[1]
 
 
-def _new_crossings(a: Sequence[PenLine], b: Sequence[PenLine], pairs: Sequence[Partners]) -> int:
+def _new_crossings(found: Assignment) -> int:
     """Return how much more often paired lines cross on straight ways than at either end."""
-    if len(pairs) < 2:
+    if len(found.pairs) < 2:
         return 0
     ends = [
-        alike(_without_caps(pair.points_a, a[pair.a]), _without_caps(pair.points_b, b[pair.b]))
-        for pair in pairs
+        alike(_without_caps(pair.points_a, found.a[pair.a]), _without_caps(pair.points_b, found.b[pair.b]))
+        for pair in found.pairs
     ]
     counts = [line_crossings([p + t * (q - p) for p, q in ends]) for t in (0.0, *CROSSING_TIMES, 1.0)]
     return max(0, max(counts[1:-1]) - max(counts[0], counts[-1]))
