@@ -219,14 +219,16 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
     groups = _together(shapes)
     if not groups:
         return found
-    points = [point_pairs([contour for k in group for contour in shapes[k].contours]) for group in groups]
     common = align_contours([contour for shape in shapes for contour in shape.contours])
-    for group, pairs in zip(groups, points, strict=True):
-        own = align(pairs) if len(groups) > 1 else common
-        terms = _Terms(pairs)
-        suits = terms.moving_length(common) <= terms.moving_length(own) + SUITED
+    for group in groups:
+        suiting = common
+        if len(groups) > 1:
+            pairs = point_pairs([contour for k in group for contour in shapes[k].contours])
+            own, terms = align(pairs), _Terms(pairs)
+            if terms.moving_length(common) > terms.moving_length(own) + SUITED:
+                suiting = own
         for k in group:
-            found[k] = common if suits else own
+            found[k] = suiting
     return found
 
 
