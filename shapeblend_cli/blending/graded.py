@@ -41,13 +41,12 @@ def grade_of(pair: Pair) -> Grade:
 
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return about a grade of some shapes alone, by which blends of them compare."""
-    from shapeblend_cli.grading.grade import without_ground
     from shapeblend_cli.grading.preference import grade_among_blends
 
     if is_swapped(shapes):
         return SWAP_GRADE
     pair = Pair(0, 1, tuple(shapes), ((), ()), (view, view))
-    return min(grade_among_blends(without_ground(_strip(pair))), 3.0)
+    return grade_among_blends(_strip(pair))
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

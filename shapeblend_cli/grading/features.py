@@ -116,7 +116,7 @@ def features(strip: Sequence[PictureArray]) -> Features:
     lengths = edges(pictures)
     border, thin, deep = _eroded(solid)
     spikes, notches = _corners(solid, border)
-    patches, pieces = _regions(on_white, solid)
+    patches, _, pieces = regions(on_white, solid)
     steps = _steps(pictures) + 1e-3
     edge_ratio = _ratio(lengths, 0.1)
     return Features(
@@ -273,19 +273,19 @@ def _asymmetry(pictures: PictureArray) -> FloatArray:
     return np.minimum(across.mean(axis=(1, 2)), upside.mean(axis=(1, 2)))
 
 
-def _regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, FloatArray]:
-    """Return the numbers of patches of one colour, and of separate pieces, in each picture."""
+def regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the numbers of patches of one colour, of holes, and of separate pieces, in each picture."""
     found = []
-    for numbers, inked in zip(colours(on_white, solid), solid, strict=True):
-        patches = count_regions(numbers, LEAST_REGION)[0]
+    for numbers, inked in zip(_colours(on_white, solid), solid, strict=True):
+        patches, holes = count_regions(numbers, LEAST_REGION)
         is_plain = np.array_equal(numbers == numbers.max(), inked)
         pieces = patches if is_plain else count_regions(inked.astype(np.intc), LEAST_REGION)[0]
-        found.append((patches, pieces))
-    patches, pieces = np.array(found, np.float64).T
-    return patches, pieces
+        found.append((patches, holes, pieces))
+    patches, holes, pieces = np.array(found, np.float64).T
+    return patches, holes, pieces
 
 
-def colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
+def _colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
     """Return a number for each colour that can be told apart; 0 where nothing is painted."""
     steps = np.rint(SHADES * on_white).astype(np.intc)
     numbers = steps[:, 0]

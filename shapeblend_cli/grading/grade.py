@@ -81,7 +81,7 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     return Grade(min(max(number, 0.0), WORST), why)
 
 
-def without_ground(strip: list[PictureArray]) -> list[PictureArray]:
+def without_ground(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:
     """Return pictures whose ground, if both ends have the same one, is transparent."""
     corners = np.stack([strip[k][:, [0, 0, -1, -1], [0, -1, 0, -1]] for k in (0, -1)])
     if corners[:, 3].min() < 0.99 or np.ptp(corners, axis=(0, 2)).max() > 0.02:

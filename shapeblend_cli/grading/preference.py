@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.regions import count_regions
-from shapeblend_cli.grading.features import INNER, LEAST_REGION, colours, edges, even, largest
+from shapeblend_cli.grading.features import INNER, edges, even, largest, regions
+from shapeblend_cli.grading.grade import WORST, without_ground
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -63,14 +63,13 @@ WEIGHTS = Faults(
 
 
 def grade_among_blends(strip: Sequence[PictureArray]) -> float:
-    """Return about a grade, 0 or more, by which blends of two drawings compare; see `features.features`."""
-    pictures = np.stack(strip)
+    """Return about a grade, from 0 to 3, by which blends of two drawings compare; see `grade.grade`."""
+    pictures = np.stack(without_ground(strip))
     ink = pictures[:, 3]
     solid = ink > 0.5
     on_white = pictures[:, :3] + (1.0 - ink[:, None])
     lengths, area = edges(pictures), ink.mean(axis=(1, 2))
-    regions = np.array([count_regions(numbers, LEAST_REGION) for numbers in colours(on_white, solid)])
-    pieces = np.array([count_regions(one.astype(np.intc), LEAST_REGION)[0] for one in solid])
+    patches, holes, pieces = regions(on_white, solid)
     steps = largest(pictures[1:] - pictures[:-1]).mean(axis=(1, 2))
     whole = float(largest(pictures[-1:] - pictures[:1]).mean())
     edge_ratio, ink_ratio, mean_ratio = _ratio(lengths), _ratio(area), _ratio(area / (lengths + LITTLE))
@@ -81,16 +80,16 @@ def grade_among_blends(strip: Sequence[PictureArray]) -> float:
         ink_off=float(np.abs(ink_ratio).mean()),
         swollen=float(np.maximum(_ratio(_thickness(solid), 0.01), 0.0).max()),
         thickness_off=float(np.abs(mean_ratio).mean()),
-        patches=_more(regions[:, 0] - even(regions[:, 0])),
+        patches=_more(patches - even(patches)),
         pieces=_more(pieces - max(pieces[0], pieces[-1])),
-        holes=_more(regions[:, 1] - max(regions[0, 1], regions[-1, 1])),
-        detail=float(np.log1p(0.5 * (regions[0, 0] + regions[-1, 0]))),
+        holes=_more(holes - max(holes[0], holes[-1])),
+        detail=float(np.log1p(0.5 * (patches[0] + patches[-1]))),
         detour=float(np.log((steps.sum() + 5.0 * LITTLE) / (whole + 5.0 * LITTLE))),
         pop=float(np.log((steps.max() + LITTLE) / (steps.mean() + LITTLE))),
         lopsided=_more_asymmetric(pictures),
     )
     roots = np.sqrt(np.maximum(faults, 0.0))
-    return max(BASE + float(roots @ np.array(WEIGHTS)), 0.0)
+    return min(max(BASE + float(roots @ np.array(WEIGHTS)), 0.0), WORST)
 
 
 def _ratio(values: FloatArray, little: float = LITTLE) -> FloatArray:
