@@ -84,7 +84,7 @@ def blend_shapes(
     for outlined in _in_outlines(a, b, pens, settings, view) if is_free else ():
         if crossed := crossed_out(*outlined, settings):
             paired = pair_drawings(*outlined, settings, 0.0, progress, crossed)
-            return _moved(paired, *match_pairs(paired), view)
+            return _blended(paired, view)
     if not is_named:
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
@@ -105,7 +105,7 @@ def blend_shapes(
     def straight(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
         asked = settings.replace(motion="linear")
         paired = pair_drawings(*with_outlines(a, b, asked, view), asked, 0.0, progress)
-        return _moved(paired, *match_pairs(paired), view)
+        return _blended(paired, view)
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     outlined = with_outlines(a, b, settings, view)
@@ -130,10 +130,7 @@ def _in_outline_alone(
     wanted: list[tuple[int, int]],
 ) -> Shapes:
     """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted."""
-
-    def move(paired: PairedDrawings) -> Shapes:
-        return _moved(paired, *match_pairs(paired), view)
-
+    move = partial(_blended, view=view)
     paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
     _, shapes = with_other_matches(paired, move(paired), move, view, {}, may_cut=False)
     return with_parts_paced(shapes, view.larger_side, None, by_size=True)
@@ -179,7 +176,7 @@ def _by_lines_or_outlines(
         if plates:
             solid = [without_inlays(drawing, plates, side) for side, drawing in enumerate((a, b))]
             paired = pair_drawings(solid[0], solid[1], settings, 0.0, progress)
-            inlaid = with_inlays(_moved(paired, *match_pairs(paired), view), plates, view)
+            inlaid = with_inlays(_blended(paired, view), plates, view)
             if inlaid is not None:
                 return tuple(inlaid)
         sides = with_outlines(a, b, settings, view)
@@ -192,9 +189,7 @@ def _by_lines_or_outlines(
             paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=not is_sign)
         return _with_bodies(paired, shapes, view)
 
-    def move(paired: PairedDrawings) -> Shapes:
-        return _moved(paired, *match_pairs(paired), view)
-
+    move = partial(_blended, view=view)
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
 
     def paced(shapes: Shapes, kept: float = 1.0, *, by_size: bool = True) -> Shapes:
@@ -260,7 +255,7 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     if grade <= FINE:
         return usual
     other = pair_drawings(a, b, settings, 0.0, progress, wanted=[numbers])
-    shapes = _moved(other, *match_pairs(other), view)
+    shapes = _blended(other, view)
     return shapes if grade_of_shapes(shapes, view) < grade - BETTER else usual
 
 
@@ -302,6 +297,11 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
     scale = UNITS / Box.union(list(pairs[0].views)).larger_side
     free = 1 + max(contour.number for contour in a.contours)
     return with_common_lines(pairs, pen_drawing(a, scale).lines, scale, free)
+
+
+def _blended(paired: PairedDrawings, view: Box) -> Shapes:
+    """Return paired drawings as shapes that are matched, and move."""
+    return _moved(paired, *match_pairs(paired), view)
 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:

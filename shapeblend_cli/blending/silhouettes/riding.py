@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.blending.silhouettes.ground import Parted, Rim
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, IntArray, ShapeBlend
 
-CLOSED = 0.5
+MEETING = 0.5
 """Time at which all gaps are closed."""
 
 OVER = 0.15
@@ -47,7 +47,7 @@ class Edge(NamedTuple):
 
     def at(self, shift: ComplexArray, t: float) -> ComplexArray:
         """Return the edge at time t, where the nodes are moved by a shift from their places in its drawing."""
-        share = (1.0 - t if self.here else t) / CLOSED
+        share = (1.0 - t if self.here else t) / MEETING
         there = self.middles + _moved(self.met, shift)
         if share >= 1.0:
             return np.full_like(there, there.mean())
