@@ -23,7 +23,7 @@ RIDGE = 0.01
 """Weight of the squares of the weights beside the mean square error: many features see the same fault, and share it."""
 
 BESIDE = 0.3
-"""Weight of errors of differences between two strips of one pair, beside errors of grades: the judge also chooses."""
+"""Weight of errors of differences between two strips of one pair, beside errors of grades: versions are compared."""
 
 ROUNDS = 400
 """Number of rounds of coordinate descent; the weights stand still long before."""
@@ -155,17 +155,9 @@ def rank_correlation(a: FloatArray, b: FloatArray) -> float:
 
 def right_orders(strips: Graded, grades: FloatArray) -> tuple[int, int]:
     """Return how many pairs of strips of the same drawings are in the right order, and how many people told apart."""
-    right = total = 0
-    places: dict[str, list[int]] = {}
-    for k, pair in enumerate(strips.pairs):
-        places.setdefault(pair, []).append(k)
-    for group in places.values():
-        for i in group:
-            for j in group:
-                if strips.grades[i] < strips.grades[j]:
-                    total += 1
-                    right += int(grades[i] < grades[j])
-    return right, total
+    i, j = _beside(strips)
+    sides, found = np.sign(strips.grades[i] - strips.grades[j]), np.sign(grades[i] - grades[j])
+    return int(np.sum((sides != 0) & (found == sides))), int(np.sum(sides != 0))
 
 
 def weights_file(strips: Graded) -> str:
