@@ -276,9 +276,10 @@ def _left_alone(
     for side, lines in enumerate((found.a, found.b)):
         paired = {(pair.a, pair.b)[side] for pair in found.pairs} | copied[side]
         carriers = [move.motion for move in moves if (move.a, move.b)[side] is not None]
-        for k, line in enumerate(lines):
-            if k not in paired:
-                alone_moves += alone(line, carriers, is_new=bool(side), has_bodies=has_bodies)
+        free = [line for k, line in enumerate(lines) if k not in paired]
+        for line in free:
+            beside = [other for other in free if other is not line]
+            alone_moves += alone(line, carriers, beside, is_new=bool(side), has_bodies=has_bodies)
     return alone_moves
 
 

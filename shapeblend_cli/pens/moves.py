@@ -80,6 +80,9 @@ SMOOTH = 0.04
 CORNERS_FIRST = 0.5
 """Weight of the distances that points go if as many corners go to corners: a bend beside a corner shows."""
 
+EVEN = 0.05
+"""Tolerance of the halves of a line that are alike, as a share of its length."""
+
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
@@ -323,10 +326,19 @@ def matched_corners(a: Sequence[float], b: Sequence[float]) -> tuple[list[float]
     return both if len(a) <= len(b) else both[::-1]
 
 
-def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, has_bodies: bool = False) -> list[Move]:
+def alone(
+    line: PenLine,
+    carriers: Sequence[Pen],
+    beside: Sequence[PenLine] = (),
+    *,
+    is_new: bool,
+    has_bodies: bool = False,
+) -> list[Move]:
     """Draw a line back to where it touches others, which carry it along, or on from there.
 
-    A bow that stands on others parts in its middle. Where the drawing has more than lines, that may change, too.
+    If it touches none but lines `beside` it that come or go as well, all are drawn from where they meet, as an arrow is
+    from its tip. A bow that stands on others parts in its middle. Where the drawing has more than lines, that may
+    change, too.
     """
     points = line.drawn
     outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
@@ -366,7 +378,12 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, has_bodies: b
         return [from_foot(points, first)]
     if last:
         return [from_foot(points[::-1], last)]
-    if middle or not corners(points):
+    meets = [any(_is_on(place, each) for each in beside) for place in places]
+    if not middle and meets[0] != meets[2]:
+        points = points if meets[0] else points[::-1]
+        return [moving(Drawing(points, *shares), is_joined=False, is_early=is_early)]
+    bends = corners(points)
+    if middle or meets[1] or not bends or _is_chevron(points, bends):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
         move = moving(drawing, is_joined=bool(middle), is_early=is_early and not middle)
@@ -374,6 +391,20 @@ def alone(line: PenLine, carriers: Sequence[Pen], *, is_new: bool, has_bodies: b
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
     return [moving(Drawing(points, *shares), is_joined=False, is_early=is_early)]
+
+
+def _is_on(place: complex, line: PenLine) -> bool:
+    """Return whether a place is on a line, as far as its pen reaches."""
+    return bool(foot_points(np.array([place]), line.drawn)[0][0] < line.reach)
+
+
+def _is_chevron(points: ComplexArray, bends: Sequence[float]) -> bool:
+    """Return whether a line has a corner in its middle, between halves that are alike, as a chevron has."""
+    if len(bends) % 2 == 0 or abs(bends[len(bends) // 2] - 0.5) > EVEN:
+        return False
+    along = at(points, np.linspace(0.0, 1.0, 9) * length(points))
+    away = np.abs(along - along[0]) - np.abs(along - along[-1])[::-1]
+    return bool(np.abs(away).max() < EVEN * length(points))
 
 
 def _span(carrier: Pen, *, is_new: bool) -> tuple[float, float]:

@@ -247,3 +247,16 @@ def test_a_corner_goes_to_a_corner_even_if_the_legs_are_of_other_lengths():
     assert len(a) == 3
     assert a == pytest.approx(head)
     assert b == pytest.approx(check)
+
+
+@pytest.mark.parametrize(
+    "paths", [("M12 16V8", "M8 12L12 8L16 12"), ("M8 12L12 8L16 12",)], ids=["arrow", "chevron"]
+)
+def test_an_arrow_that_comes_is_drawn_from_its_tip(paths):
+    around = "M2 12A10 10 0 1 1 22 12A10 10 0 1 1 2 12Z"
+    shapes = [s for s in shapes_of(pen(around), pen(around, *paths)) if s.reason == DRAWN_ON]
+    assert len(shapes) == len(paths)
+    for shape in shapes:
+        points = line_at(shape, 0.3)
+        assert np.abs(points - (12 + 8j)).min() < 0.01
+        assert (points.real.min() + points.real.max()) / 2.0 == pytest.approx(12.0, abs=0.01)
