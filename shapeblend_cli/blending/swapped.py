@@ -111,6 +111,7 @@ def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
 def least_grade(shapes: Shapes) -> float:
     """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
 
+    It is 0 if all lines come or go, and none becomes another.
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
     the ring of a play button, may straighten, but for wavy ones; so may lines that unroll by lengths and angles. Where
     much comes and goes there must be less bending.
@@ -118,6 +119,8 @@ def least_grade(shapes: Shapes) -> float:
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
     bent = 0.0
+    if not any(contour.is_matched for shape in shapes for contour in shape.contours):
+        return 0.0
     for shape in shapes:
         if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in TURNING:
             continue

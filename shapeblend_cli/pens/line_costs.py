@@ -10,6 +10,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.model import Box
 from shapeblend_cli.pens.line import at, corners, evenly, length, part_of
 
 if TYPE_CHECKING:
@@ -57,6 +58,9 @@ keeps these as kinks then."""
 
 ROUND = 0.92
 """Minimum area of a round ring, as a share of the area of a circle of its length."""
+
+DOT = 0.5, 1.1
+"""Sizes of a ring that its stroke fills and that is more than a point, in widths."""
 
 STRAIGHT = 0.9
 """Minimum distance of the ends of a line that is not bent, as a share of its length."""
@@ -182,8 +186,10 @@ def partner_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     costs = (mean * works + stretch + closing).tolist()
     if p.closed != q.closed:
         pressed = _pressed(p, q) if p.closed else _pressed(q, p)[::-1]
-        ways.append(pressed)
         ring, line = (p, q) if p.closed else (q, p)
+        if _is_dot(ring):  # a line that bends round to one would curl up
+            ways, costs = [], []
+        ways.append(pressed)
         steps = np.linspace(0, len(pressed[0]) - 1, WATCHED).round().astype(np.intp)
         work = mean * float(work_between(pressed[0][steps], pressed[1][steps]))
         is_bent = line.is_piece or abs(line.points[-1] - line.points[0]) < STRAIGHT * line.length
@@ -206,6 +212,11 @@ def opening_cost(p: PenLine, q: PenLine) -> tuple[float, ComplexArray, ComplexAr
     cost += OPENING_COST * mean if p.closed != q.closed else 0.0
     best = int(np.argmin(works))
     return mean * float(works[best]) + cost, *ways[best]
+
+
+def _is_dot(ring: PenLine) -> bool:
+    """Return whether a ring is drawn as a dot, which its stroke fills."""
+    return DOT[0] <= Box.around(ring.points).larger_side / ring.width <= DOT[1]
 
 
 def _is_round(ring: PenLine) -> bool:

@@ -260,3 +260,17 @@ def test_an_arrow_that_comes_is_drawn_from_its_tip(paths):
         points = line_at(shape, 0.3)
         assert np.abs(points - (12 + 8j)).min() < 0.01
         assert (points.real.min() + points.real.max()) / 2.0 == pytest.approx(12.0, abs=0.01)
+
+
+def test_a_bar_becomes_a_dot_without_curling_up():
+    dots = [f"M11 {y}A1 1 0 1 1 13 {y}A1 1 0 1 1 11 {y}Z" for y in (5, 12, 19)]
+    shapes = shapes_of(pen("M3 6H21", "M3 12H21", "M3 18H21"), pen(*dots))
+    assert [shape.reason for shape in shapes] == [BECOMES] * 3
+    for shape in shapes:
+        points = line_at(shape, 0.5)
+        middle = (points.imag.min() + points.imag.max()) / 2.0
+        inner = points.imag[
+            np.abs(points.real - 12.0) < 2.0
+        ]  # above and below: a line that curls up has one side
+        assert inner.min() < middle < inner.max()
+        assert np.abs(inner - middle).min() > 0.2
