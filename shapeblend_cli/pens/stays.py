@@ -33,6 +33,9 @@ SHORTEST = 1.2
 LEAST_SHARE = 0.4
 """Minimum share of the shorter of two lines that their runs make up."""
 
+LEAST_OF_RING = 0.32
+"""Minimum share of a closed line that its runs make up: it would unravel to one of its sides."""
+
 WHOLE = 0.995
 """Minimum share of a closed line that is all of it."""
 
@@ -110,6 +113,8 @@ def common_runs(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Run]:
     found = [
         run for run in found if together[run.a, run.b] > LEAST_SHARE * min(a[run.a].length, b[run.b].length)
     ]
+    unravel = [_unravel(lines, found, side) for side, lines in enumerate((a, b))]
+    found = [run for run in found if run.a not in unravel[0] and run.b not in unravel[1]]
     taken: dict[tuple[int, int], list[FloatArray]] = {}
     chosen = []
     for run in sorted(found, key=lambda run: -run.length):
@@ -127,6 +132,12 @@ def common_runs(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Run]:
             taken.setdefault((side, number), []).append(_places(line, *run.spans(side), steps=None))
         chosen.append(run)
     return chosen
+
+
+def _unravel(lines: Sequence[PenLine], runs: Sequence[Run], side: int) -> set[int]:
+    """Return the closed lines of a drawing of which too little would stay."""
+    kept = [sum(run.length for run in runs if (run.a, run.b)[side] == k) for k in range(len(lines))]
+    return {k for k, line in enumerate(lines) if line.closed and kept[k] < LEAST_OF_RING * line.length}
 
 
 def common_shift(a: Sequence[PenLine], b: Sequence[PenLine]) -> complex:

@@ -43,7 +43,7 @@ TURNED, FLIPPED = "the drawing is turned as a whole", "the drawing is flipped as
 
 def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
-    if _covers(a, b, _outlines(a), LEAST_TURNED):
+    if _covers(a, b, _outlines(a), LEAST_TURNED) and _covers_by_kind(a, b):
         return None
     centre, target = centre_of(a), centre_of(b)
     ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
@@ -141,6 +141,20 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
         if np.mean(away < SAME_PLACE * width) < least or (least > LEAST_TURNED and away.max() > width):
             return False
     return True
+
+
+def _covers_by_kind(a: Sequence[PenLine], b: Sequence[PenLine]) -> bool:
+    """Return whether closed lines lie on closed ones, and open lines on open ones, along enough of all.
+
+    The bar of a skip button lies on a side of the triangle that skips the other way, and does not stay there.
+    """
+    whole = min(sum(line.length for line in lines) for lines in (a, b))
+    kinds = [
+        [[line for line in lines if line.closed is closed] for lines in (a, b)] for closed in (False, True)
+    ]
+    alike = [(p, q) for p, q in kinds if p and q and _covers(p, q, _outlines(p), LEAST_TURNED)]
+    kept = sum(min(sum(line.length for line in lines) for lines in pair) for pair in alike)
+    return kept >= LEAST_TURNED * whole
 
 
 def centre_of(lines: Sequence[PenLine]) -> complex:

@@ -350,3 +350,9 @@ def test_the_head_of_an_arrow_turns_over_to_a_check_mark_and_nothing_crosses():
     assert reasons(pair) == [BECOMES, DRAWN_BACK]
     for t in TIMES:
         assert path_crossings([path for shape in shapes_at(pair, t) for path in shape.paths]) == 0
+
+
+def test_a_drawing_turns_whose_parts_only_lie_where_others_were():
+    back, forward = ("M5 5V19", "M19 5V19L9 12Z"), ("M19 5V19", "M5 5V19L15 12Z")
+    pair = blend(*(drawing(*map(ROUND.format, paths)) for paths in (back, forward)))
+    assert reasons(pair) == [TURNED] * 2

@@ -274,3 +274,9 @@ def test_a_bar_becomes_a_dot_without_curling_up():
         ]  # above and below: a line that curls up has one side
         assert inner.min() < middle < inner.max()
         assert np.abs(inner - middle).min() > 0.2
+
+
+def test_a_ring_does_not_unravel_to_one_of_its_sides():
+    triangle = "M9 8A1 1 0 0 1 10.5 7.1L16.5 11.1A1 1 0 0 1 16.5 12.9L10.5 16.9A1 1 0 0 1 9 16Z"
+    shapes = shapes_of(pen(triangle), pen("M9 7V17", "M15 7V17"))
+    assert [shape.reason for shape in shapes] == [COPY] * 2
