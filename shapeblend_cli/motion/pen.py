@@ -261,6 +261,8 @@ class Pen(NamedTuple):
     tails: tuple[Moving | None, Moving | None] = (None, None)
     closed: bool = False
     shift: complex = 0j  # of the drawing as a whole, beside all else
+    turn: tuple[float, float] = (0.0, 0.0)  # of the drawing as a whole, at its start and end, in radians
+    pivot: complex = 0j
 
     @property
     def name(self) -> str:
@@ -269,6 +271,13 @@ class Pen(NamedTuple):
 
     def points(self, t: float) -> ComplexArray:
         """Return the vertices at a time, always as many."""
+        points = self._unturned(t)
+        if self.turn == (0.0, 0.0):
+            return points
+        angle = (1.0 - t) * self.turn[0] + t * self.turn[1]
+        return self.pivot + (points - self.pivot) * np.exp(1j * angle)
+
+    def _unturned(self, t: float) -> ComplexArray:
         points = np.concatenate([piece.points(t) for piece in self.pieces]) + t * self.shift
         if self.closed:
             return points[:-1]
@@ -287,7 +296,7 @@ class Pen(NamedTuple):
         """Return the same, so many times as large."""
         tails = [None if tail is None else tail.scaled(by) for tail in self.tails]
         pieces = tuple(piece.scaled(by) for piece in self.pieces)
-        return Pen(pieces, (tails[0], tails[1]), self.closed, self.shift * by)
+        return Pen(pieces, (tails[0], tails[1]), self.closed, self.shift * by, self.turn, self.pivot * by)
 
 
 class Together(NamedTuple):

@@ -25,7 +25,7 @@ def trim_of(motion: Pen) -> Trim | None:
     """Return the trimmed line that moves as a pen does; None if it changes otherwise, too."""
     drawings = [found for each in (*motion.pieces, *motion.tails) if (found := _drawing(each)) is not None]
     inner = {t for drawing in drawings for t in drawing.span if 0.0 < t < 1.0}
-    if motion.closed or not drawings:
+    if motion.closed or not drawings or motion.turn != (0.0, 0.0):
         return None
     stops = [(t, _seen(motion, t)) for t in (0.0, *sorted(inner), 1.0)]
     (start, _), (end, _) = stops[0][1], stops[-1][1]

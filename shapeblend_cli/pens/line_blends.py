@@ -27,7 +27,7 @@ from shapeblend_cli.pens.moves import (
     thinned,
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
-from shapeblend_cli.pens.partners import least_work, travelling
+from shapeblend_cli.pens.partners import least_work_turned, travelling
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
 from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned
@@ -40,7 +40,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
-    from shapeblend_cli.pens.partners import Assignment
+    from shapeblend_cli.pens.partners import Assignment, Partners
+    from shapeblend_cli.pens.stays import Run
 
 LEAST_INK = 0.1
 """Minimum share of the ink of a drawing of one colour in its lines."""
@@ -230,13 +231,7 @@ def line_moves(
         centres = centres[0], centres[1] - shift
     required_moves, moves = moves, []
     runs = common_runs(a, b)
-    resting = (
-        {run.a for run in runs if run.length > 0.9 * a[run.a].length},
-        {run.b for run in runs if run.length > 0.9 * b[run.b].length},
-    )
-    together = [pair for pair in travelling(a, b) if pair.a not in resting[0] and pair.b not in resting[1]]
-    if len(together) < 2:
-        together = []
+    together = _travelling_together(a, b, runs)
     taken = {pair.a for pair in together}, {pair.b for pair in together}
     runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
     moves += [staying(each, a, b) for each in stayed(a, b, runs)]
@@ -255,7 +250,8 @@ def line_moves(
     if turned:
         moves += turned
         free = [[], []]
-    found = least_work(free[0], free[1], centres)
+    is_alone = not (moves or required_moves or crossing or has_bodies) and may_turn
+    found, angle = least_work_turned(free[0], free[1], centres, may_turn=is_alone)
     others, *copied = split_moves(found, moves)
     moves += others
     moves += _left_alone(found, copied, moves, has_bodies=has_bodies)
@@ -265,7 +261,18 @@ def line_moves(
         move if (own := _wires(move, settings)) is None else _by_wires(own, [], settings, scale, BECOMES)
         for move in moves
     ]
+    moves = [_turning(move, angle, centres) if angle else move for move in moves]
     return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
+
+
+def _travelling_together(a: Sequence[PenLine], b: Sequence[PenLine], runs: Sequence[Run]) -> list[Partners]:
+    """Return the lines that travel as one, at least two; those that rest where they are do not."""
+    resting = (
+        {run.a for run in runs if run.length > 0.9 * a[run.a].length},
+        {run.b for run in runs if run.length > 0.9 * b[run.b].length},
+    )
+    together = [pair for pair in travelling(a, b) if pair.a not in resting[0] and pair.b not in resting[1]]
+    return together if len(together) > 1 else []
 
 
 def _left_alone(
@@ -287,6 +294,13 @@ def _shifted(move: Move, shift: complex) -> Move:
     """Let a line move on with its drawing, beside all else."""
     b = move.b and move.b._replace(points=move.b.points + shift)
     return move._replace(b=b, motion=move.motion._replace(shift=shift))
+
+
+def _turning(move: Move, angle: float, centres: tuple[complex, complex]) -> Move:
+    """Let a line turn with its drawing, beside all else, about the middle of the second drawing."""
+    begin, until = (share * angle for share in move.span)
+    b = move.b and move.b._replace(points=centres[1] + (move.b.points - centres[1]) * np.exp(1j * angle))
+    return move._replace(b=b, motion=move.motion._replace(turn=(begin, until), pivot=centres[1]))
 
 
 def _wires(move: Move, settings: Settings) -> tuple[PenLine, PenLine] | None:

@@ -156,10 +156,8 @@ class Move(NamedTuple):
         parts = [line and self._part(line, own) for line, own in zip((self.a, self.b), points, strict=True)]
         contour = contour._replace(reason=self.reason, lines=(parts[0], parts[1]))
         sources = self.a and self.a.shape, self.b and self.b.shape
-        is_straight = all(isinstance(piece, Straight) for piece in motion.pieces) and motion.tails == (
-            None,
-            None,
-        )
+        is_straight = all(isinstance(piece, Straight) for piece in motion.pieces)
+        is_straight &= motion.tails == (None, None) and motion.turn == (0.0, 0.0)
         return ShapeBlend(
             (contour,),
             style_a,

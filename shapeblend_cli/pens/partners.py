@@ -56,6 +56,19 @@ SAME_LENGTH = 0.08
 """Tolerance of the lengths of lines that only travel, as a share."""
 
 
+FEW = 4
+"""Maximum number of lines of a drawing that turns while its lines become others."""
+
+MANY = 4
+"""Minimum number of lines of both drawings for one to turn so."""
+
+STRAIGHT = 0.99
+"""Minimum distance of the ends of a straight line, as a share of its length."""
+
+TURN_COST = 0.08
+"""Cost of turning a drawing as a whole beside, as a share of the length of its lines."""
+
+
 class Partners(NamedTuple):
     """A pair of lines by number, and their polylines in the direction and from the start that cost least."""
 
@@ -66,11 +79,12 @@ class Partners(NamedTuple):
 
 
 class Assignment(NamedTuple):
-    """Lines, perhaps cut, and which become which."""
+    """Lines, perhaps cut, and which become which, with the work that takes."""
 
     a: list[PenLine]
     b: list[PenLine]
     pairs: list[Partners]
+    work: float
 
 
 def travelling(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
@@ -107,17 +121,44 @@ def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[comple
 
     The centres are those of both drawings, about which they may be symmetric.
     """
-    tries: list[tuple[float, Assignment]] = []
+    tries: list[Assignment] = []
     for cut_a, cut_b in product((False, True), repeat=2):
         some, others = (_cut(a) if cut_a else list(a)), (_cut(b) if cut_b else list(b))
         if (cut_a and len(some) == len(a)) or (cut_b and len(others) == len(b)):
             continue
         work, pairs = _assigned(some, others, centres)
         cuts = CUT_COST * sum(line.length for line in (*(a if cut_a else ()), *(b if cut_b else ())))
-        tries.append((work + cuts, Assignment(some, others, pairs)))
+        tries.append(Assignment(some, others, pairs, work + cuts))
     if len(tries) == 1:  # crossings decide nothing
-        return tries[0][1]
-    return min(tries, key=lambda each: each[0] + CROSSING_COST * _new_crossings(each[1]))[1]
+        return tries[0]
+    return min(tries, key=lambda each: each.work + CROSSING_COST * _new_crossings(each))
+
+
+def least_work_turned(
+    a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex], *, may_turn: bool
+) -> tuple[Assignment, float]:
+    """Assign lines to lines while the drawing turns by a right angle, if it may and that takes less work.
+
+    The bars of a menu become an arrow upwards as they become one to the right. Returns the assignment, with B turned
+    back, and the angle, in radians.
+    """
+    found = least_work(a, b, centres), 0.0
+    are_bars = any(all(map(_is_straight, lines)) for lines in (a, b))
+    if not (may_turn and are_bars and a and b) or len(a) + len(b) < MANY or max(len(a), len(b)) > FEW:
+        return found
+    turning = TURN_COST * sum(line.length for line in (*a, *b)) / 2.0
+    for angle in (0.5 * np.pi, -0.5 * np.pi):
+        back = [
+            line._replace(points=centres[1] + (line.points - centres[1]) * np.exp(-1j * angle)) for line in b
+        ]
+        turned = least_work(a, back, centres)
+        if turned.work + (0.0 if found[1] else turning) < found[0].work - 1e-9:
+            found = turned, angle
+    return found
+
+
+def _is_straight(line: PenLine) -> bool:
+    return not line.closed and abs(line.points[-1] - line.points[0]) >= STRAIGHT * line.length
 
 
 def _new_crossings(found: Assignment) -> int:

@@ -356,3 +356,18 @@ def test_a_drawing_turns_whose_parts_only_lie_where_others_were():
     back, forward = ("M5 5V19", "M19 5V19L9 12Z"), ("M19 5V19", "M5 5V19L15 12Z")
     pair = blend(*(drawing(*map(ROUND.format, paths)) for paths in (back, forward)))
     assert reasons(pair) == [TURNED] * 2
+
+
+@pytest.mark.parametrize("head", ["M5 12L12 5L19 12", "M5 12L12 19L19 12"], ids=["up", "down"])
+def test_a_menu_turns_while_its_bars_become_an_arrow_upwards_or_downwards(head):
+    bars, arrow = ("M3 6H21", "M3 12H21", "M3 18H21"), ("M12 5V19", head)
+    pair = blend(*(drawing(*map(ROUND.format, paths)) for paths in (bars, arrow)))
+    assert all(contour.is_matched for shape in pair.shapes for contour in shape.contours)
+    ways = [path.segments[-1, 3] - path.segments[0, 0] for s in pair.shapes for path in paths_at(s, 0.5)]
+    assert all(abs(way) > 9.0 for way in ways)
+    assert sum(abs(abs(way.real) - abs(way.imag)) < 0.1 for way in ways) == 1  # the shaft, half way round
+    for end, paths in ((0.0, bars), (1.0, arrow)):
+        drawn = [path for shape in pair.shapes for path in paths_at(shape, end)]
+        points = np.array([point for path in drawn for point in path.segments[[0, -1], [0, 3]]])
+        wanted = [p for line in file_lines(drawing(*map(ROUND.format, paths))) for p in line.points]
+        assert max(np.abs(points - want).min() for want in wanted) < 0.02
