@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes, judged_grade
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.paced import KEPT, with_parts_paced
@@ -21,7 +21,17 @@ from shapeblend_cli.blending.rematched import with_other_matches
 from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
-from shapeblend_cli.blending.swapped import ASKED, SENT_BACK, is_covered, least_grade, swapped
+from shapeblend_cli.blending.swapped import (
+    ASKED,
+    CURVED,
+    PER_RADIAN,
+    SENT_BACK,
+    UNUSABLE,
+    is_covered,
+    least_grade,
+    most_bent,
+    swapped,
+)
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -47,6 +57,9 @@ if TYPE_CHECKING:
 
 ALL = 0.9
 """Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
+
+MOSTLY = 0.6
+"""Minimum share of the ink of a drawing in its lines for these to be most of it."""
 
 SOLID = 0.3
 """Maximum share of the ink of a solid drawing in its lines."""
@@ -221,6 +234,10 @@ def _are_too_unlike(
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
+    if min(first.share, last.share) >= MOSTLY:
+        bent = most_bent(shapes)
+        if bent >= CURVED and judged_grade(shapes, view) >= UNUSABLE - PER_RADIAN * bent:
+            return True
     if min(first.share, last.share) >= ALL:
         least = least_grade(shapes)
         if least == np.inf or is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):

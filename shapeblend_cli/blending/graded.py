@@ -43,10 +43,17 @@ def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return about a grade of some shapes alone, by which blends of them compare."""
     from shapeblend_cli.grading.preference import grade_among_blends
 
-    if is_swapped(shapes):
-        return SWAP_GRADE
-    pair = Pair(0, 1, tuple(shapes), ((), ()), (view, view))
-    return grade_among_blends(_strip(pair))
+    return SWAP_GRADE if is_swapped(shapes) else grade_among_blends(_strip(_alone(shapes, view)))
+
+
+def judged_grade(shapes: Sequence[ShapeBlend], view: Box) -> float:
+    """Return the grade of some shapes alone, as `shapeblend judge` grades their frames."""
+    return grade_of(_alone(shapes, view)).number
+
+
+def _alone(shapes: Sequence[ShapeBlend], view: Box) -> Pair:
+    """Return a pair of some shapes alone in a view."""
+    return Pair(0, 1, tuple(shapes), ((), ()), (view, view))
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

@@ -37,6 +37,9 @@ MOST_BENT = 1.1
 BENT = 0.6
 """Maximum spread of the turns along a line where much else comes and goes, in radians."""
 
+WHOLLY = 1.5
+"""Maximum spread of turns that makes a difference, in radians."""
+
 MOST_ALONE = 0.28
 """Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
 
@@ -45,6 +48,15 @@ UNREADABLE = 1.8
 
 SENT_BACK = 1.5
 """Minimum grade of a blend of two signs, a line of which is bent very much, or of one that shrivels to a stroke."""
+
+UNUSABLE = 2.0
+"""Minimum grade by the judge of a blend of drawings that are mostly lines for these to be swapped if none is bent."""
+
+CURVED = 0.3
+"""Minimum spread of the turns along a line of such a blend for it to be graded, in radians."""
+
+PER_RADIAN = 0.3
+"""Reduction of that grade for each radian by which a line is bent, in grades."""
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
@@ -121,20 +133,33 @@ def least_grade(shapes: Shapes) -> float:
     bent = 0.0
     if not any(contour.is_matched for shape in shapes for contour in shape.contours):
         return 0.0
-    for shape in shapes:
-        if shape.style_a.fill is not None or shape.style_b.fill is not None or shape.motion_name in TURNING:
+    for shape, contour in _lines_of(shapes):
+        are_rings = _are_rings(contour)
+        if all(are_rings):
             continue
-        for contour in shape.contours:
-            are_rings = _are_rings(contour)
-            if not contour.is_matched or all(are_rings):
-                continue
-            bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
-            may_straighten = shape.reason == COPY or shape.motion_name == "intrinsic"
-            if bending > MOST_BENT and (any(are_rings) or not may_straighten):
-                return SENT_BACK
-            bent = max(bent, bending)
+        bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
+        may_straighten = shape.reason == COPY or shape.motion_name == "intrinsic"
+        if bending > MOST_BENT and (any(are_rings) or not may_straighten):
+            return SENT_BACK
+        bent = max(bent, bending)
     is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
     return UNREADABLE if is_unlike else np.inf
+
+
+def most_bent(shapes: Shapes) -> float:
+    """Return the largest spread of the turns along a line, in radians, but at most `WHOLLY`.
+
+    Rings that open do not count: they are seen to be drawn back.
+    """
+    lines = (contour for _, contour in _lines_of(shapes) if len({*_are_rings(contour)}) == 1)
+    return min(max((_bending(contour, 0.0) for contour in lines), default=0.0), WHOLLY)
+
+
+def _lines_of(shapes: Shapes) -> Iterator[tuple[ShapeBlend, ContourBlend]]:
+    """Yield the lines that become other lines, with their shapes, but for those that turn as they are."""
+    for shape in shapes:
+        if shape.style_a.fill is shape.style_b.fill is None and shape.motion_name not in TURNING:
+            yield from ((shape, contour) for contour in shape.contours if contour.is_matched)
 
 
 def _are_rings(contour: ContourBlend) -> tuple[bool, bool]:

@@ -7,7 +7,7 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
-from shapeblend_cli.blending.swapped import ASKED, SHARE, SWAPPED, is_swapped
+from shapeblend_cli.blending.swapped import ASKED, SHARE, SWAPPED, UNUSABLE, is_swapped
 from shapeblend_cli.cli import run
 from shapeblend_cli.interpolate.paths import paths_at
 
@@ -50,6 +50,21 @@ def test_dots_that_would_curl_up_to_become_a_cross_make_room_for_it(tmp_path):
         file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{drawn}</svg>')
     (pair,) = sb.blend(*files).pairs
     assert is_swapped(pair.shapes)
+
+
+def test_lines_that_would_tangle_make_room_though_rings_may_bend(tmp_path):
+    stroke = '<path d="{}" fill="none" stroke="#000" stroke-width="2" stroke-linejoin="round"/>'
+    bars = "M3 21H7V14H3ZM10 21H14V8H10ZM17 21H21V3H17Z"
+    pie = "M12 3A9 9 0 1 0 12 21A9 9 0 1 0 12 3ZM12 3V12H21M12 12L5.6 18.4"
+    files = tmp_path / "bars.svg", tmp_path / "pie.svg"
+    for file, drawn in zip(files, (bars, pie), strict=True):
+        file.write_text(
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{stroke.format(drawn)}</svg>'
+        )
+    (pair,) = sb.blend(*files).pairs
+    assert is_swapped(pair.shapes)
+    (other,) = sb.blend(*files, swap="never").pairs
+    assert grade_of(other).number >= UNUSABLE
 
 
 @pytest.mark.parametrize(("a", "b"), RELATED)
