@@ -6,6 +6,7 @@ that end which has more. Radii are in pixels of pictures with 96 x 96 of them.
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -84,11 +85,19 @@ HALVES = Features(
 )
 """Amounts of the features that add half as much to a grade as the worst would: what is seen first counts most."""
 
+PAIRS = np.array(list(combinations([k for k, name in enumerate(Features._fields) if name != "pop"], 2)))
+"""Places of two features that people see at once; a sudden change is no fault of a picture."""
+
 
 def shares(found: FloatArray) -> FloatArray:
     """Return features, (..., 12), as shares of the worst: 0 where nothing is wrong, and less than 1."""
     amounts = np.maximum(found, 0.0)
     return amounts / (amounts + np.array(HALVES))
+
+
+def terms(found: FloatArray) -> FloatArray:
+    """Return shares, (..., 12), and after them their products two by two, in the order of `PAIRS`."""
+    return np.concatenate([found, found[..., PAIRS[:, 0]] * found[..., PAIRS[:, 1]]], axis=-1)
 
 
 def features(strip: Sequence[PictureArray]) -> Features:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from shapeblend_cli.grading.features import Features, features, shares
-from shapeblend_cli.grading.weights import BASE, GOOD, WEIGHTS
+from shapeblend_cli.grading.weights import BASE, GOOD, TOGETHER, WEIGHTS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import PictureArray
+    from shapeblend_cli.model import FloatArray, PictureArray
 
 FRAMES = 7
 """Number of frames of the strips that people graded: longer ones are thinned."""
@@ -74,11 +74,23 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     places = np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int)
     places = places[np.append(True, np.diff(places) > 0)]  # np.unique would load numpy.ma first
     found = shares(np.array(features(without_ground([strip[k] for k in places.tolist()]))))
-    number = BASE + float(found @ np.array(WEIGHTS))
-    parts = (found - np.array(GOOD)) * np.array(WEIGHTS._replace(detail=0.0))  # no fault of what lies between
+    beside = _beside(found)
+    number = BASE + float(found @ (np.array(WEIGHTS) + 0.5 * beside))
+    parts = (found - np.array(GOOD)) * (np.array(WEIGHTS) + beside)
+    parts[Features._fields.index("detail")] = 0.0  # no fault of what lies between
     worst = int(parts.argmax())
     why = PHRASES[Features._fields[worst]] if parts[worst] >= TOLD else None
     return Grade(min(max(number, 0.0), WORST), why)
+
+
+def _beside(found: FloatArray) -> FloatArray:
+    """Return how much more each feature weighs because of the others: shares times `TOGETHER`."""
+    more = dict.fromkeys(Features._fields, 0.0)
+    values = dict(zip(Features._fields, found.tolist(), strict=True))
+    for (one, other), weight in TOGETHER.items():
+        more[one] += weight * values[other]
+        more[other] += weight * values[one]
+    return np.array(list(more.values()))
 
 
 def without_ground(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:

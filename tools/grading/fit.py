@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.grading.features import HALVES, Features, shares
+from shapeblend_cli.grading.features import HALVES, PAIRS, Features, shares, terms
 from shapeblend_cli.grading.grade import PHRASES
 from tools.quality.data import ROOT
 
@@ -43,7 +43,7 @@ KINDS = {
     "designers' drawings": "animals, emoji, logos: two designers or more",
     "designers' icons": "interface icons: one designer or more",
     "fresh eyes": "other interface icons of npm sets: one grader or two",
-    "own": "other drawings of npm sets: one of the authors",
+    "own": "other drawings of npm sets: one of the authors or two graders",
 }
 """What was graded by whom. Each kind counts as much as any other when weights are fitted."""
 
@@ -67,6 +67,11 @@ class Graded(NamedTuple):
         """Return which strips are of a kind."""
         return np.array([one == kind for one in self.kinds])
 
+    @property
+    def terms(self) -> FloatArray:
+        """These shares, and their products two by two."""
+        return terms(self.shares)
+
     def take(self, some: BoolArray) -> Graded:
         """Return some of the strips."""
         at = np.flatnonzero(some).tolist()
@@ -82,7 +87,7 @@ class Fit(NamedTuple):
 
     def predict(self, strips: Graded) -> FloatArray:
         """Return grades."""
-        return self.base + strips.shares @ self.weights
+        return self.base + strips.terms @ self.weights
 
 
 def graded() -> Graded:
@@ -99,7 +104,7 @@ def fit(strips: Graded) -> Fit:
 
     Errors are those of grades and, times `BESIDE`, those of differences between strips of one pair.
     """
-    found, count = strips.shares, _counts(strips, np.arange(len(strips.grades)))
+    found, count = strips.terms, _counts(strips, np.arange(len(strips.grades)))
     mean, middle = count @ found, float(count @ strips.grades)
     spread = np.sqrt(count @ (found - mean) ** 2) + 1e-9
     z, off = (found - mean) / spread, strips.grades - middle
@@ -153,11 +158,16 @@ def rank_correlation(a: FloatArray, b: FloatArray) -> float:
     return float(np.corrcoef(*ranks)[0, 1])
 
 
-def right_orders(strips: Graded, grades: FloatArray) -> tuple[int, int]:
-    """Return how many pairs of strips of the same drawings are in the right order, and how many people told apart."""
+def right_orders(strips: Graded, grades: FloatArray, least: float = 0.0) -> tuple[int, int]:
+    """Return how many pairs of strips of the same drawings are in the right order, and how many people told apart.
+
+    Those count that people graded differently, and by `least` or more.
+    """
     i, j = _beside(strips)
-    sides, found = np.sign(strips.grades[i] - strips.grades[j]), np.sign(grades[i] - grades[j])
-    return int(np.sum((sides != 0) & (found == sides))), int(np.sum(sides != 0))
+    apart = strips.grades[i] - strips.grades[j]
+    is_told = (apart != 0.0) & (np.abs(apart) >= least)
+    is_right = np.sign(grades[i] - grades[j]) == np.sign(apart)
+    return int(np.sum(is_told & is_right)), int(np.sum(is_told))
 
 
 def weights_file(strips: Graded) -> str:
@@ -167,13 +177,31 @@ def weights_file(strips: Graded) -> str:
     return (
         f'{HEAD}\nBASE = {found.base:.3f}\n"""Grade of a strip without faults."""\n'
         + _features("WEIGHTS", found.weights, "Additions to the grade for each feature at its worst.")
+        + _together(found)
         + _features("GOOD", good, "Mean shares of the features of strips that were graded as drawn by hand.")
     )
 
 
+def _pairs(found: Fit) -> list[tuple[float, str, str]]:
+    """Return the weights of products that round to more than 0, with the names of both features, largest first."""
+    weights = np.round(found.weights[len(HALVES) :], 3).tolist()
+    pairs = [
+        (weight, *(Features._fields[k] for k in two))
+        for weight, two in zip(weights, PAIRS.tolist(), strict=True)
+        if weight
+    ]
+    return sorted(pairs, key=lambda pair: -pair[0])
+
+
+def _together(found: Fit) -> str:
+    lines = "".join(f'    ("{one}", "{other}"): {weight:.3f},\n' for weight, one, other in _pairs(found))
+    says = "Additions to the grade for two features that are at their worst at once."
+    return f'\nTOGETHER = {{\n{lines}}}\n"""{says}"""\n'
+
+
 def _features(name: str, values: FloatArray, says: str) -> str:
     lines = "".join(
-        f"    {field}={value:.3f},\n" for field, value in zip(Features._fields, values, strict=True)
+        f"    {field}={value:.3f},\n" for field, value in zip(Features._fields, values, strict=False)
     )
     return f'\n{name} = Features(\n{lines})\n"""{says}"""\n'
 
@@ -189,13 +217,14 @@ def page(strips: Graded) -> str:
     for kind, what in KINDS.items():
         some = strips.are(kind)
         for name, these in _parts(strips, some):
-            right, total = right_orders(strips.take(these), grades[these])
-            order = f"{right} of {total}" if total else "-"
+            orders = [right_orders(strips.take(these), grades[these], least) for least in (0.0, 1.0)]
+            order = " | ".join(f"{right} of {total}" if total else "-" for right, total in orders)
             correlation = rank_correlation(grades[these], strips.grades[these])
             checks.append(f"| {what}{name} | {int(these.sum())} | {correlation:.2f} | {order} |")
     return PAGE_TEXT.format(
         count=len(grades),
         rows="\n".join(rows),
+        pairs="\n".join(f"| `{one}`, `{other}` | {weight:.2f} |" for weight, one, other in _pairs(found)),
         checks="\n".join(checks),
     )
 
@@ -225,19 +254,29 @@ and the last frame have one opaque colour, this is the ground.
 
 The grade is a base and what the features below add to it. Each is 0 where nothing is wrong, and adds nothing then. As
 it grows, it adds more, but never more than its weight, and half of its weight where it is as large as the column "half
-at" says: what is seen first counts most. No weight is negative, so that the largest addition is the reason that is
-printed. `make judge-weights` fits the weights to {count} graded strips, `tools/grading/grades.tsv`, and writes this
-page.
+at" says: what is seen first counts most. No weight is negative, so that the feature with the largest addition, alone
+and with others, is the reason that is printed. `make judge-weights` fits the weights to {count} graded strips,
+`tools/grading/grades.tsv`, and writes this page.
 
 | feature | as people see it | weight | half at | rank correlation with grades, alone |
 | --- | --- | --- | --- | --- |
 {rows}
 
-Each strip below is graded by weights that were fitted to strips of other drawings. Of two strips of the same drawings
-that people graded differently, the last column counts those in the right order. Several graders count with their mean.
+Two faults at once look worse than both alone. So two features add their product as well, each as its share of the
+worst, from 0 to 1, times a weight of both. Only `pop` does not: it is seen between pictures, not in one. What is not
+in this table has no weight.
 
-| strips | number | rank correlation | right order |
-| --- | --- | --- | --- |
+| features | weight of both |
+| --- | --- |
+{pairs}
+
+Each strip below is graded by weights that were fitted to strips of other drawings. Of two strips of the same drawings
+that people graded differently, the last two columns count those in the right order: all of them, and those that are
+at least a grade apart. Several graders count with their mean. Most strips of later versions, and of npm sets, were
+graded to compare two ways to blend that were both thought good, so that they differ less than versions do.
+
+| strips | number | rank correlation | right order | a grade apart |
+| --- | --- | --- | --- | --- |
 {checks}
 
 The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
