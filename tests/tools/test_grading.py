@@ -31,6 +31,8 @@ def test_grades_of_other_drawings_are_predicted():
     assert rank_correlation(grades[some], rows.grades[some]) > 0.8
     right, total = right_orders(rows, grades)
     assert right > 0.7 * total > 500
+    right, total = right_orders(rows, grades, least=1.0)
+    assert right > 0.77 * total > 600
 
 
 def test_equal_values_share_their_rank():
