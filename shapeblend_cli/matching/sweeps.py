@@ -211,7 +211,7 @@ def sweep(
     east: cython.double[::1] = tables.east
     south: cython.double[::1] = tables.south
     southeast: cython.double[::1] = tables.southeast
-    bends: cython.double[:, ::1] = tables.bends
+    bends: cython.double[::1] = tables.bends.reshape(-1)
     weight: cython.double[::1] = tables.weight
     origin: cython.Py_ssize_t[::1] = tables.window.low
     offset: cython.Py_ssize_t[::1] = tables.window.column_offset
@@ -220,7 +220,7 @@ def sweep(
     high: cython.Py_ssize_t[::1] = window.high
     parent_offset: cython.Py_ssize_t[::1] = window.column_offset
     start_work: cython.double[::1] = starts.work
-    to_go: cython.double[:, ::1] = bounds.to_go
+    to_go: cython.double[::1] = bounds.to_go.reshape(-1)
     to_go_low: cython.Py_ssize_t[::1] = bounds.window.low
     to_go_offset: cython.Py_ssize_t[::1] = bounds.window.column_offset
     limit: cython.double = bounds.limit
@@ -236,9 +236,9 @@ def sweep(
     n: cython.Py_ssize_t = south.shape[0]
     pruning: cython.bint = to_go.shape[0] > 0
     south_at_end: cython.bint = simplified or start_work[SOUTH] < INFINITY
-    base: cython.Py_ssize_t = low[0]
-    first: cython.Py_ssize_t = progress.live_rows[0]
-    last: cython.Py_ssize_t = progress.live_rows[1]
+    base: cython.Py_ssize_t = low[0] - 1
+    first: cython.Py_ssize_t = max(progress.live_rows[0], low[0])
+    last: cython.Py_ssize_t = min(progress.live_rows[1], high[columns - 1])
     previous: cython.Py_ssize_t = progress.current
     cython.declare(c=cython.Py_ssize_t, r=cython.Py_ssize_t, i=cython.Py_ssize_t, j=cython.Py_ssize_t)
     cython.declare(
@@ -250,11 +250,14 @@ def sweep(
     cython.declare(w_e=cython.double, w_s=cython.double, w_d=cython.double, leaving_south=cython.double)
     cython.declare(by_e=cython.double, by_s=cython.double, by_d=cython.double, least=cython.double)
     cython.declare(stiff=cython.double, east_here=cython.double, parents_here=cython.Py_ssize_t)
-    cython.declare(is_last=cython.bint, not_d=cython.int)
+    cython.declare(southeast_here=cython.Py_ssize_t)
+    cython.declare(is_last=cython.bint, is_special=cython.bint, not_d=cython.int, entered=cython.Py_ssize_t)
     # The C compiler takes globals for variables, which it would read again for every dot.
     cython.declare(ee=cython.int, ed=cython.int, de=cython.int, ss=cython.int)
     cython.declare(sd=cython.int, ds=cython.int, dd=cython.int)
     ee, ed, de, ss, sd, ds, dd = 0, 1, 2, 3, 4, 5, 6
+    cython.declare(e=cython.int, s=cython.int, d=cython.int)
+    e, s, d = 0, 1, 2
     cython.declare(parent_e=cython.int, parent_s=cython.int, parent_d=cython.int, alive=cython.bint)
     column: cython.Py_ssize_t = progress.column
     g: cython.Py_ssize_t = 0
@@ -273,6 +276,16 @@ def sweep(
         east_here = east[i]
         parents_here = parent_offset[c] - low[c]
         is_last = c == columns - 1
+        is_special = c == 0 or is_last or simplified
+        # Rows down to the last that is entered from the column before; none is entered from beyond its live rows.
+        entered = last + 1
+        leaving[old_d + first - 1] = INFINITY
+        leaving[old_e + last + 1] = INFINITY
+        if c == 0:
+            entered = last
+            for r in range(first, last + 1):
+                leaving[old_e + r] = start_work[EAST]
+                leaving[old_d + r - 1] = start_work[SOUTHEAST]
         new_first = -1
         new_last = -1
         leaving_south = INFINITY
@@ -280,30 +293,28 @@ def sweep(
         beyond = min(high[c], highest) + 1
         j = r % n
         t = (r - origin[i]) % n
-        k = offset[i] + t
+        southeast_here = offset[i]
+        k = 7 * (southeast_here + t)
         if pruning:
-            g = to_go_offset[c] + r - to_go_low[c]
+            g = 3 * (to_go_offset[c] + r - to_go_low[c])
         while r < beyond:
             w_e = INFINITY
             w_s = leaving_south
             w_d = INFINITY
-            if c == 0:
-                if r <= last:
-                    w_e = start_work[EAST]
-                    w_s = min(w_s, start_work[SOUTH])
-                    w_d = start_work[SOUTHEAST]
-            else:
-                if r <= last:
-                    w_e = leaving[old_e + r]
-                if first < r <= last + 1:
-                    w_d = leaving[old_d + r - 1]
-                if is_last and not south_at_end:
+            if r <= entered:
+                w_e = leaving[old_e + r]
+                w_d = leaving[old_d + r - 1]
+            if is_special:
+                if c == 0:
+                    if r <= last:
+                        w_s = min(w_s, start_work[SOUTH])
+                elif is_last and not south_at_end:
                     w_s = INFINITY
             # A state beyond the limit is not left out beside another within: what follows it is beyond the limit, too.
             if pruning:
-                least = min(w_e + to_go[g, EAST], w_s + to_go[g, SOUTH], w_d + to_go[g, SOUTHEAST])
+                least = min(w_e + to_go[g + e], w_s + to_go[g + s], w_d + to_go[g + d])
                 alive = least < limit
-                g += 1
+                g += 3
             else:
                 alive = min(w_e, w_s, w_d) < INFINITY
             if alive:
@@ -313,36 +324,37 @@ def sweep(
             elif r > last:
                 break  # nothing leads to the rows below either
 
-            if is_last:
-                ends[r - low[c], EAST] = w_e
-                ends[r - low[c], SOUTH] = w_s
-                ends[r - low[c], SOUTHEAST] = w_d
-            if simplified:
-                if w_e <= w_s and w_e <= w_d:  # eq 26
-                    w_s = w_d = INFINITY
-                elif w_s <= w_d:  # eq 27
-                    w_e = w_d = INFINITY
-                else:  # eq 28
-                    w_e = w_s = INFINITY
+            if is_special:
+                if is_last:
+                    ends[r - low[c], EAST] = w_e
+                    ends[r - low[c], SOUTH] = w_s
+                    ends[r - low[c], SOUTHEAST] = w_d
+                if simplified:
+                    if w_e <= w_s and w_e <= w_d:  # eq 26
+                        w_s = w_d = INFINITY
+                    elif w_s <= w_d:  # eq 27
+                        w_e = w_d = INFINITY
+                    else:  # eq 28
+                        w_e = w_s = INFINITY
 
             if alive:
                 # Which is least is as good as random, so there are no branches. Leaving Southeast, after any step.
-                by_e = w_e + bends[k, ed]
-                by_s = min(by_e, w_s + bends[k, sd])
-                by_d = w_d + bends[k, dd]
+                by_e = w_e + bends[k + ed]
+                by_s = min(by_e, w_s + bends[k + sd])
+                by_d = w_d + bends[k + dd]
                 least = min(by_s, by_d)
                 parent_s = _is_more(by_e, by_s)  # SOUTH, else EAST
                 not_d = _is_more(by_d, least)
                 parent_d = (not_d & parent_s) | (1 - not_d) << 1
-                leaving[new_d + r] = least + southeast[k]
+                leaving[new_d + r] = least + southeast[southeast_here + t]
                 # Leaving South, after South or Southeast.
-                by_s = w_s + bends[k, ss]
-                least = min(by_s, w_d + bends[k, ds])
+                by_s = w_s + bends[k + ss]
+                least = min(by_s, w_d + bends[k + ds])
                 parent_s = 1 + _is_more(by_s, least)  # SOUTH or SOUTHEAST
                 leaving_south = least + south[j] * stiff
                 # Leaving East, after East or Southeast.
-                by_e = w_e + bends[k, ee]
-                least = min(by_e, w_d + bends[k, de])
+                by_e = w_e + bends[k + ee]
+                least = min(by_e, w_d + bends[k + de])
                 parent_e = _is_more(by_e, least) << 1  # SOUTHEAST, else EAST
                 leaving[new_e + r] = least + east_here
                 parents[parents_here + r] = parent_d << 4 | parent_s << 2 | parent_e
@@ -354,11 +366,11 @@ def sweep(
             j += 1
             if j == n:
                 j = 0
-            k += 1
+            k += 7
             t += 1
             if t == n:
                 t = 0
-                k -= n
+                k -= 7 * n
         if new_first < 0:  # no path costs less than the limit
             progress.live_rows = (0, -1)
             return

@@ -110,8 +110,9 @@ class Progress:
         The next column.
     live_rows : (int, int)
         First and last row of the previous column that paths can leave.
-    leaving : (4, rows) float
-        Work of leaving each dot by East, and by Southeast; rows of the previous column begin at `current`.
+    leaving : (4, rows + 2) float
+        Work of leaving each dot by East, and by Southeast, with a row more above and below; those of the previous
+        column begin at `current`.
     parents : (dots,) uint8
         For each step out of a dot, the step in that costs least: two bits each, East lowest.
     visited : (columns, 2) int
@@ -137,7 +138,7 @@ class Progress:
         self.column = self.current = 0
         self.live_rows = starts.first_row, starts.last_row
         self.rows = rows or (int(window.low[0]), int(window.high[-1]))
-        self.leaving = np.empty((4, int(window.high[-1] - window.low[0]) + 1))
+        self.leaving = np.empty((4, int(window.high[-1] - window.low[0]) + 3))
         self.parents = np.empty(window.dots, np.uint8)
         self.visited = visited
         self.ends = np.full((int(window.high[-1] - window.low[-1]) + 1, 3), np.inf)
