@@ -21,7 +21,7 @@ BENDS = EE, ED, DE, SS, SD, DS, DD = (0, 1, 2, 3, 4, 5, 6)
 
 NO_BEND = -1
 
-BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]])
+BEND_OF_STEPS = np.array([[EE, NO_BEND, ED], [NO_BEND, SS, SD], [DE, DS, DD]], np.intp)
 """The bend by the step into a dot and the step out of it. Section 4 forbids turns of 90 degrees."""
 
 MIRRORED_BENDS = (EE, DE, ED, SS, DS, SD, DD)

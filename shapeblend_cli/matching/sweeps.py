@@ -424,3 +424,52 @@ def backtrack(
         k -= 1
         dots[k, 0], dots[k, 1] = c, row
     return found[k:], step
+
+
+def find_bends(
+    columns: cython.Py_ssize_t[::1],
+    rows: cython.Py_ssize_t[::1],
+    period: tuple[int, int],
+    closed: cython.bint,
+    path_steps: cython.Py_ssize_t[::1],
+    path_bends: cython.Py_ssize_t[::1],
+) -> bool:
+    """Find the steps and bends of a given path; return whether it has legal ones only.
+
+    Parameters
+    ----------
+    columns, rows : (k,) int
+        Of the dots, modulo m and n. A closed path returns to the first one.
+    period : (int, int)
+        m and n.
+    closed : bool
+    path_steps : (k,) int if closed, else (k - 1,)
+        Overwritten: the steps that leave the dots.
+    path_bends : (k,) int if closed, else (k - 2,)
+        Overwritten: the bends at the dots, or at all but the first and the last.
+    """
+    table: cython.Py_ssize_t[:, ::1] = steps.BEND_OF_STEPS
+    m: cython.Py_ssize_t = period[0]
+    n: cython.Py_ssize_t = period[1]
+    count: cython.Py_ssize_t = path_steps.shape[0]
+    cython.declare(k=cython.Py_ssize_t, after=cython.Py_ssize_t, before=cython.Py_ssize_t)
+    cython.declare(east=cython.Py_ssize_t, south=cython.Py_ssize_t)
+    for k in range(count):
+        after = k + 1 if k + 1 < columns.shape[0] else 0
+        east = (columns[after] - columns[k]) % m
+        south = (rows[after] - rows[k]) % n
+        if east < 0:  # C's remainder has the sign of what is divided
+            east += m
+        if south < 0:
+            south += n
+        if east > 1 or south > 1 or east + south == 0:
+            return False
+        path_steps[k] = east + 2 * south - 1
+    before = count - 1 if closed else 0
+    for k in range(path_bends.shape[0]):
+        after = k if closed else k + 1
+        path_bends[k] = table[path_steps[before], path_steps[after]]
+        if path_bends[k] < 0:
+            return False
+        before = after
+    return True

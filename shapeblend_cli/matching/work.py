@@ -21,8 +21,9 @@ import numpy as np
 
 from shapeblend_cli.matching.angles import Bending, Corners, fill_bends, turns
 from shapeblend_cli.matching.smoothing import smoothed
-from shapeblend_cli.matching.steps import BEND_OF_STEPS, NO_BEND
+from shapeblend_cli.matching.steps import EAST, SOUTH
 from shapeblend_cli.matching.stretching import fill_stretching, stretching_work
+from shapeblend_cli.matching.sweeps import find_bends
 from shapeblend_cli.matching.tables import Tables, Window
 from shapeblend_cli.matching.travel import Stations, add_travel, places
 from shapeblend_cli.model import Work
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
+    Dots = tuple[IntArray, IntArray]
     TakeWork = Callable[[IntArray, Window, FloatArray], None]
 
 SMOOTH_SHARE = 0.7
@@ -230,10 +232,12 @@ class Wires:
         ValueError
             A step is not East, South or Southeast, or a turn of 90 degrees.
         """
-        start, moves, at, kinds = self._path(dots)
-        stiff = np.where(moves[:, 0] > 0, self.edge_weight[start[:, 0]], self.weight[start[:, 0]])
+        columns, rows, steps, at, kinds = self._path(dots)
+        columns, rows = columns[: len(steps)], rows[: len(steps)]
+        moves0, moves1 = steps != SOUTH, steps != EAST
+        stiff = np.where(moves0, self.edge_weight[columns], self.weight[columns])
         stretching = stiff * stretching_work(
-            self.len0[start[:, 0]] * moves[:, 0], self.len1[start[:, 1]] * moves[:, 1], self.constants
+            self.len0[columns] * moves0, self.len1[rows] * moves1, self.constants
         )
         *terms, zeros = self._bends_along(at, kinds, *self._terms_of_bends, self._fill_zeros)
         work = Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
@@ -245,35 +249,35 @@ class Wires:
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
         """Return the dots of a path (see `price`) that have an angle, their bends, and the bending work of each."""
-        _, _, at, kinds = self._path(dots)
-        return at, kinds, self._bends_along(at, kinds, self._fill_bending)[0]
+        _, _, _, at, kinds = self._path(dots)
+        return np.stack(at, axis=1), kinds, self._bends_along(at, kinds, self._fill_bending)[0]
 
-    def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, IntArray]:
-        """Return the dots that steps leave, and the steps; the dots that have an angle, and their bends."""
-        following = rolled(dots, -1) if self.closed else dots[1:]
-        start = dots[: len(following)]
-        moves = (following - start) % (self.m, self.n)
-        steps = moves @ (1, 2) - 1  # EAST, SOUTH, SOUTHEAST
-        at, steps_in, steps_out = dots[1:-1], steps[:-1], steps[1:]
-        if self.closed:
-            at, steps_in, steps_out = dots, rolled(steps, 1), steps
-        legal = moves.max(initial=0) <= 1 and moves.any(axis=1).all()
-        kinds = BEND_OF_STEPS[steps_in, steps_out] if legal else np.array([NO_BEND])
-        if (kinds == NO_BEND).any():
+    def _path(self, dots: IntArray) -> tuple[IntArray, IntArray, IntArray, Dots, IntArray]:
+        """Return the columns and rows of dots, and the steps that leave them; the dots with an angle, and their bends.
+
+        Dots are columns and rows, too.
+        """
+        columns, rows = np.array(dots.T, np.intp, order="C")
+        closed = self.closed
+        steps, kinds = (
+            np.empty(len(dots) if closed else max(len(dots) - gone, 0), np.intp) for gone in (1, 2)
+        )
+        if not find_bends(columns, rows, (self.m, self.n), closed, steps, kinds):
             raise ValueError(
                 "a path goes one step East, South or Southeast at a time, without turns of 90 degrees"
             )
-        return start, moves, at, kinds
+        at = (columns, rows) if closed else (columns[1:-1], rows[1:-1])
+        return columns, rows, steps, at, kinds
 
-    def _bends_along(self, at: IntArray, kinds: IntArray, *terms: TakeWork) -> list[FloatArray]:
+    def _bends_along(self, at: Dots, kinds: IntArray, *terms: TakeWork) -> list[FloatArray]:
         """Return terms of the work of a bend at each dot."""
-        numbers = np.arange(len(at))
-        columns, rows = at[:, 0].copy(), at[:, 1].copy()
+        columns, rows = at
+        numbers = np.arange(len(rows))
         window = Window(rows, rows, numbers)
         found = []
         for take in terms:
-            bends = np.zeros((len(at), 7))
-            if len(at):
+            bends = np.zeros((len(rows), 7))
+            if len(rows):
                 take(columns, window, bends)
             found.append(bends[numbers, kinds])
         return found
