@@ -33,6 +33,7 @@ from shapeblend_cli.blending.swapped import (
     swapped,
 )
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
+from shapeblend_cli.blending.uncrossed import with_crossings_undone
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import carried_by_lines
@@ -124,14 +125,29 @@ def blend_shapes(
     outlined = with_outlines(a, b, settings, view)
     if not all(map(is_plain, outlined)):
         return shapes
-    special = with_signs_inverted(*outlined, settings, view, shapes)
-    special = with_gaps_closed(*outlined, settings, view, special)
-    special = with_slots_closed(*outlined, view, special)
-    special = with_brushes(*outlined, settings, view, special)
-    if special is not shapes:
+    return _as_silhouettes(*outlined, settings, view, progress, shapes)
+
+
+def _as_silhouettes(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, usual: Shapes
+) -> Shapes:
+    """Return the blend of two drawings of one colour, or a special one, or one without crossings.
+
+    The outlines of single contours are freed of crossings first: gaps would close for these.
+    """
+    special = with_signs_inverted(a, b, settings, view, usual)
+    special = with_gaps_closed(a, b, settings, view, special)
+    special = with_slots_closed(a, b, view, special)
+    special = with_brushes(a, b, settings, view, special)
+    if special is not usual:
         return special
+    pair = partial(pair_drawings, a, b, settings, 0.0, progress)
+    move = partial(_blended_and_paced, view=view)
+    are_single = len(a.contours) == len(b.contours) == 1
+    shapes = with_crossings_undone(usual, pair, move, view) if are_single else usual
     blend = partial(_in_outline_alone, settings, view, progress)
-    return with_silhouettes(*outlined, settings, view, shapes, blend)
+    found = with_silhouettes(a, b, settings, view, shapes, blend)
+    return found if are_single or found is not shapes else with_crossings_undone(shapes, pair, move, view)
 
 
 def _in_outline_alone(
@@ -319,6 +335,11 @@ def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] 
 def _blended(paired: PairedDrawings, view: Box) -> Shapes:
     """Return paired drawings as shapes that are matched, and move."""
     return _moved(paired, *match_pairs(paired), view)
+
+
+def _blended_and_paced(paired: PairedDrawings, view: Box) -> Shapes:
+    """Return paired drawings as shapes that are matched and move, those without a partner early or late."""
+    return with_parts_paced(_blended(paired, view), view.larger_side, None, by_size=True)
 
 
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:
