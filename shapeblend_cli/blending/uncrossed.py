@@ -61,6 +61,10 @@ LITTLE = 0.02
 MOST = 12
 """Maximum number of contours of a drawing for which other ways are tried."""
 
+AFFORDABLE = 1_000_000
+"""Maximum number of dots in the graphs of all pairs of contours and of all ways together; else only some of each group
+are tried."""
+
 
 class Fault(NamedTuple):
     """What is wrong with the outlines of a blend."""
@@ -92,9 +96,10 @@ def with_crossings_undone(
     grade = grade_of_shapes(usual, view)
     clean, better = _limits(usual, grade)
     found, least = usual, (fault, np.inf)
+    share = min(1.0, AFFORDABLE / max(_dots(paired) * sum(map(len, WAYS)), 1))
     for ways in WAYS:
-        for way in ways:
-            if any(paired.settings.is_given(name) for name in way):
+        for way in ways[: round(share * len(ways))]:
+            if any(paired.settings.is_given(name) for name in ("k_t", "k_b") if name in way):
                 continue
             shapes = move(paired._replace(settings=paired.settings.replace(**way)))
             its = fault_of(shapes)
@@ -106,6 +111,11 @@ def with_crossings_undone(
         if not any(least[0]):
             break
     return found if found is usual else tuple(map(_with_reason, found))
+
+
+def _dots(paired: PairedDrawings) -> int:
+    """Return the number of dots in the graphs of all pairs."""
+    return sum(len(p.polygon.vertices) * len(q.polygon.vertices) for (p, q), _ in paired.pairs.values())
 
 
 def _limits(shapes: Shapes, grade: float) -> tuple[float, float]:

@@ -37,7 +37,7 @@ def test_what_looks_much_worse_without_crossings_is_not_taken(monkeypatch):
 def test_motion_by_lengths_and_angles_is_said_to_be_taken_for_crossings(monkeypatch):
     monkeypatch.setattr(uncrossed, "WAYS", (({"motion": "intrinsic", "k_t": 20.0},),))
     monkeypatch.setattr(uncrossed, "WORSE", 3.0)
-    (shape,) = pair_of(drawn(G), drawn(DOWN)).shapes
+    (shape,) = pair_of(drawn(G), drawn(DOWN), motion="auto").shapes
     assert shape.motion_name == "intrinsic"
     assert shape.reason == "motions that are less wrong make outlines cross"
 
