@@ -227,3 +227,17 @@ def test_what_npm_installs_is_locked_by_its_contents_alone():
     packages = {name: package for name, package in lock["packages"].items() if name}
     assert {name: packages[f"node_modules/{name}"]["version"] for name in asked} == asked
     assert all("integrity" in package and "resolved" not in package for package in packages.values())
+
+
+def test_strokes_count_as_the_outlines_of_what_they_paint_together():
+    line = '<path d="M{}" fill="none" stroke="#000" stroke-width="2" stroke-linecap="{}"/>'
+
+    def svg_of(*lines):
+        return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10">{"".join(lines)}</svg>'
+
+    cross = svg_of(line.format("0,5L10,5", "butt") + line.format("5,0V10", "butt"))
+    (contour,) = shapeblend.painted(cross)
+    assert not is_crossed(contour)
+    assert area(contour) == pytest.approx(36.0)
+    ring = svg_of(line.format("0,0H10V10H0Z", "round"))
+    assert sorted(map(area, shapeblend.painted(ring))) == pytest.approx([64.0, 144.0])

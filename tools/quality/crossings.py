@@ -61,8 +61,8 @@ The tools:
 
 - shapeblend: its command, told the number of frames and nothing else, so that it chooses how shapes move: by
   looking for crossings itself, at these times among others. Measured are the frame files it writes, rounding included;
-  a contour with curves in about 2000 pieces. Strokes count as their centre lines, without a width: where it moves icons
-  as pen lines, its areas come out too small, and lines that cross count as crossed.
+  a contour with curves in about 2000 pieces. Where it moves icons as pen lines, their strokes count as the outlines of
+  all that they paint together.
 - flubber, KUTE.js and polymorph are libraries for web pages, run in node. All three have the MIT licence, and npm
   installs them from a lock file. Some help is given that users can easily give, too: contours are put in order of size,
   or turned the same way round.

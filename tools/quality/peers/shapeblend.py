@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from shapely import LinearRing, LineString, get_parts, union_all
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.geometry.flatten import flatten
@@ -20,7 +21,14 @@ from tools.quality.truth.form import TIMES, Linked, Truth
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapely.geometry.base import BaseGeometry
+
+    from shapeblend_cli.model.style import Style
+
 NAME = "shapeblend"
+
+CAPS = {"butt": "flat", "round": "round", "square": "square"}
+"""What shapely calls the ends of lines."""
 
 FINE = 2000
 """A contour with curves is cut into about so many pieces. One of straight lines is taken as it is."""
@@ -28,7 +36,7 @@ FINE = 2000
 
 def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
     files = (frames(pair) for pair in pairs)
-    return [each and [drawn(text) for text in each] for each in files]
+    return [each and [painted(text) for text in each] for each in files]
 
 
 def linked(truths: list[Truth], also: Sequence[str] = ()) -> list[Linked | None]:
@@ -74,6 +82,33 @@ def drawn(text: str) -> list[np.ndarray]:
     """The vertices of everything a file draws, a contour each."""
     shapes = read("a file", text.encode()).shapes
     return [_vertices(contour) for shape in shapes for contour in shape.contours]
+
+
+def painted(text: str) -> list[np.ndarray]:
+    """The vertices of everything a file draws, a contour each, with the outlines of its strokes together."""
+    shapes = read("a file", text.encode()).shapes
+    filled = [shape for shape in shapes if shape.style.stroke is None]
+    lines = [
+        _stroked(contour, shape.style)
+        for shape in shapes
+        if shape.style.stroke is not None
+        for contour in shape.contours
+    ]
+    contours = [_vertices(contour) for shape in filled for contour in shape.contours]
+    for part in get_parts(union_all(lines)):
+        contours += [np.array(ring.coords)[:-1] @ [1, 1j] for ring in (part.exterior, *part.interiors)]
+    return contours
+
+
+def _stroked(contour: Contour, style: Style) -> BaseGeometry:
+    """What a line paints that has no fill."""
+    vertices = _vertices(contour)
+    points = np.column_stack([vertices.real, vertices.imag])
+    line = LinearRing(points) if contour.closed else LineString(points)
+    cap = CAPS[style.stroke_linecap]
+    return line.buffer(
+        0.5 * style.stroke_width, cap_style=cap, join_style=style.stroke_linejoin.replace("miter", "mitre")
+    )
 
 
 def _files(folder: Path) -> list[str]:
