@@ -65,6 +65,9 @@ TWO_PI = cython.declare(cython.double, 6.283185307179586)
 ANGLE_NOISE = cython.declare(cython.double, 1e-9)
 HALF_TURN = cython.declare(cython.double, 3.141592653589793 - 1e-9)
 
+# Factor on the noise of a quick test, which must never be sure where an exact one is not.
+MORE_NOISE = cython.declare(cython.double, 1.01)
+
 # Minimum distance from half a round of directions that are certainly on one side.
 HALF_ROUND_NOISE = cython.declare(cython.double, 1e-6)
 
@@ -78,6 +81,11 @@ EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 # The control points Q0, Q1 and Q2 of Q(t).
 Curve = cython.struct(
     x0=cython.double, y0=cython.double, x1=cython.double, y1=cython.double, x2=cython.double, y2=cython.double
+)
+
+# The dots of a column, numbers from `first` to before `beyond`: vertex i of the first wire, and of the second j and on.
+Column = cython.struct(
+    i=cython.Py_ssize_t, j=cython.Py_ssize_t, first=cython.Py_ssize_t, beyond=cython.Py_ssize_t
 )
 
 # The signed turns of theta in its two monotonic pieces beside coincident vertices.
@@ -144,6 +152,9 @@ class Corners:
         B - F and B + F.
     least_turn, most_turn : (m,) float
         The turn where it is negative, or positive; else 0.
+    toward_zero : (m, 4) float
+        Vectors u and v, (ux, uy, vx, vy), of the test whether the angle reaches zero where the other wire rests on a
+        base of direction d, see `_fill_toward_zero`.
     """
 
     theta = cython.declare(cython.double[::1], visibility="readonly")
@@ -162,6 +173,7 @@ class Corners:
     smooth_turn: cython.double[::1]
     least_turn: cython.double[::1]
     most_turn: cython.double[::1]
+    toward_zero: cython.double[:, ::1]
 
     def __init__(self, vertices: ComplexArray, closed: bool, smooth_turn: FloatArray | None = None) -> None:
         back, fwd = _edges_at(vertices, closed)
@@ -176,6 +188,45 @@ class Corners:
         self.aside = fwd.real * back.imag - fwd.imag * back.real
         self.apart, self.along = back - fwd, back + fwd
         self.least_turn, self.most_turn = np.minimum(self.turn, 0.0), np.maximum(self.turn, 0.0)
+        self.toward_zero = np.zeros((len(vertices), 4))
+        self._fill_toward_zero()
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _fill_toward_zero(self) -> cython.void:
+        """Fill in the vectors by which two products decide most cases of `Bending.resting`.
+
+        The angle reaches zero if both u d and v d exceed 1, and does not if one is below -1. In between, rounding might
+        decide; where it always might, u and v are zero.
+
+        The parts of Q1, see `Bending.inside_run`, are products of d and constant vectors. In general the way from Q0 to
+        Q1 passes right of the origin if it crosses the axis, by u, and does so on the right, by v. At a straight vertex
+        Q0 is on the left of the axis. Between edges of one length Q1 is on the axis too, to its right or left; between
+        others it is off the axis, and the angle does not reach zero.
+        """
+        cython.declare(k=cython.Py_ssize_t, side=cython.double, tall=cython.double)
+        for k in range(self.ahead.shape[0]):
+            x0: cython.double = self.ahead[k]
+            y0: cython.double = self.aside[k]
+            apart, along = self.apart[k], self.along[k]
+            wide: cython.double = fabs(apart.real) + fabs(apart.imag)
+            high: cython.double = fabs(along.real) + fabs(along.imag)
+            noise: cython.double = MORE_NOISE * ANGLE_NOISE * (fabs(x0) + fabs(y0) + wide + high)
+            if fabs(y0) > noise:
+                side = 1.0 if y0 > 0.0 else -1.0
+                tall = noise * (fabs(y0) + high + 2.0 * fabs(x0))
+                self.toward_zero[k, 0] = -side * along.imag / noise
+                self.toward_zero[k, 1] = side * along.real / noise
+                self.toward_zero[k, 2] = (fabs(y0) * apart.real - x0 * side * along.imag) / tall
+                self.toward_zero[k, 3] = (fabs(y0) * apart.imag + x0 * side * along.real) / tall
+            elif x0 < -noise and MORE_NOISE * fabs(y0) <= ANGLE_NOISE * fabs(x0):
+                tall = MORE_NOISE * (high + 1e-15 * (wide + high)) / (0.1 * ANGLE_NOISE)
+                if tall < 0.5 * wide:
+                    self.toward_zero[k, 0] = self.toward_zero[k, 2] = apart.real / tall
+                    self.toward_zero[k, 1] = self.toward_zero[k, 3] = apart.imag / tall
+                else:
+                    self.toward_zero[k, 0], self.toward_zero[k, 2] = along.imag / noise, -along.imag / noise
+                    self.toward_zero[k, 1], self.toward_zero[k, 3] = -along.real / noise, along.real / noise
 
 
 @cython.cfunc
@@ -289,9 +340,13 @@ def _out_of_run(p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize
 @cython.cfunc
 @cython.inline
 @cython.exceptval(check=False)
-def _power(k_b: cython.double, e_b: cython.double, change: cython.double) -> cython.double:
-    """Return the work of a change."""
-    return k_b * (change if e_b == 1.0 else pow(change, e_b))
+def _power(
+    is_linear: cython.bint, k_b: cython.double, e_b: cython.double, change: cython.double
+) -> cython.double:
+    """Return the work of a change. Where there is no factor, the power may be infinite."""
+    if is_linear:
+        return k_b * change
+    return k_b * pow(change, e_b) if k_b != 0.0 else 0.0
 
 
 @cython.final
@@ -338,85 +393,83 @@ class Bending:
         work[k, DD] = self.moving(k_b, p, i, q, j)
 
     @cython.cfunc
+    @cython.inline
     @cython.exceptval(check=False)
     def fill_turning(
         self,
+        is_linear: cython.bint,
         stiffness: cython.double,
         p: Corners,
-        i: cython.Py_ssize_t,
         q: Corners,
-        j: cython.Py_ssize_t,
+        column: Column,
         work: cython.double[:, ::1],
-        first: cython.Py_ssize_t,
-        beyond: cython.Py_ssize_t,
     ) -> cython.void:
-        """Fill in the work of bending by turning at the dots of a column, from vertex j of the second wire on.
+        """Fill in the work of bending by turning at the dots of a column; it is linear where e_b is 1.
 
         Where both wires go on within half a round, in and out, no angle on the way between them is zero. Among
         coincident vertices on both sides of a dot, where the limit of the angle counts, it may still be.
         """
-        cython.declare(k=cython.Py_ssize_t, rests=cython.int, x1=cython.double)
+        cython.declare(k=cython.Py_ssize_t, x=cython.double, y=cython.double)
+        i: cython.Py_ssize_t = column.i
+        j: cython.Py_ssize_t = column.j
         n: cython.Py_ssize_t = q.turn.shape[0]
         e_b: cython.double = self.e_b
         p_b: cython.double = self.p_b
-        # Where there is no factor, the power may be infinite.
         k_b: cython.double = self.k_b * stiffness
         k_smooth: cython.double = self.k_smooth * stiffness
         turn: cython.double = p.turn[i]
         smooth: cython.double = p.smooth_turn[i]
-        alone: cython.double = _power(k_b, e_b, fabs(turn)) if k_b != 0.0 else 0.0
-        smooth_alone: cython.double = _power(k_smooth, e_b, fabs(smooth)) if k_smooth != 0.0 else 0.0
-        heading: cython.double = p.heading[i]
-        least: cython.double = p.least_turn[i]
-        most: cython.double = p.most_turn[i]
-        x0: cython.double = p.ahead[i]
-        y0: cython.double = p.aside[i]
-        apart, along, base = p.apart[i], p.along[i], p.base[i]
-        for k in range(first, beyond):
+        alone: cython.double = _power(is_linear, k_b, e_b, fabs(turn))
+        smooth_alone: cython.double = _power(is_linear, k_smooth, e_b, fabs(smooth))
+        heading, least, most = p.heading[i], p.least_turn[i], p.most_turn[i]
+        base_x: cython.double = p.base[i].real
+        base_y: cython.double = p.base[i].imag
+        ux, uy, vx, vy = p.toward_zero[i, 0], p.toward_zero[i, 1], p.toward_zero[i, 2], p.toward_zero[i, 3]
+        for k in range(column.first, column.beyond):
+            other: cython.double = q.turn[j]
             ee: cython.double = alone
-            ed: cython.double = 0.0
-            de: cython.double = 0.0
-            ss: cython.double = 0.0
-            sd: cython.double = 0.0
-            ds: cython.double = 0.0
-            dd: cython.double = 0.0
-            if k_b != 0.0:
-                other: cython.double = q.turn[j]
-                beside: cython.double = _power(k_b, e_b, fabs(turn - 0.5 * other))
-                other_beside: cython.double = _power(k_b, e_b, fabs(other - 0.5 * turn))
-                ed, de, ss = ed + beside, de + beside, ss + _power(k_b, e_b, fabs(other))
-                sd, ds, dd = sd + other_beside, ds + other_beside, dd + _power(k_b, e_b, fabs(turn - other))
+            ed: cython.double = _power(is_linear, k_b, e_b, fabs(turn - 0.5 * other))
+            ss: cython.double = _power(is_linear, k_b, e_b, fabs(other))
+            sd: cython.double = _power(is_linear, k_b, e_b, fabs(other - 0.5 * turn))
+            dd: cython.double = _power(is_linear, k_b, e_b, fabs(turn - other))
+            de, ds = ed, sd
             if p_b != 0.0:
-                q_base = q.base[j]
-                x1 = _dot(q_base, apart)
-                if x0 >= 0.0 or x1 >= 0.0:
-                    rests = _meets_zero_inside(x0, y0, x1, _cross(q_base, along))
-                    ee += self.inside_run(0.0, p, i, q, j) if rests < 0 else rests * p_b
-                x1 = _dot(base, q.apart[j])
-                if q.ahead[j] >= 0.0 or x1 >= 0.0:
-                    rests = _meets_zero_inside(q.ahead[j], q.aside[j], x1, _cross(base, q.along[j]))
-                    ss += self.inside_run(0.0, q, j, p, i) if rests < 0 else rests * p_b
-                ahead: cython.double = _short_way(q.heading[j] - heading)
-                low: cython.double = min(least, ahead + q.least_turn[j])
-                high: cython.double = max(most, ahead + q.most_turn[j])
-                if high - low >= PI - HALF_ROUND_NOISE:
+                x, y = q.base[j].real, q.base[j].imag
+                x, y = ux * x + uy * y, vx * x + vy * y
+                x = min(x, y)
+                ee += self.resting(p, i, q, j) if fabs(x) <= 1.0 else p_b * (x > 0.0)
+                x = q.toward_zero[j, 0] * base_x + q.toward_zero[j, 1] * base_y
+                y = q.toward_zero[j, 2] * base_x + q.toward_zero[j, 3] * base_y
+                x = min(x, y)
+                ss += self.resting(q, j, p, i) if fabs(x) <= 1.0 else p_b * (x > 0.0)
+                x = _short_way(q.heading[j] - heading)
+                if max(most, x + q.most_turn[j]) - min(least, x + q.least_turn[j]) >= PI - HALF_ROUND_NOISE:
                     ed += self.at_run(0.0, p.theta[i], _out_of_run(p, i, q, j))
                     de += self.at_run(0.0, p.theta[i], _into_run(p, i, q, j))
                     sd += self.at_run(0.0, q.theta[j], _out_of_run(q, j, p, i))
                     ds += self.at_run(0.0, q.theta[j], _into_run(q, j, p, i))
                     dd += self.moving(0.0, p, i, q, j)
-            if k_smooth != 0.0:
-                other = q.smooth_turn[j]
-                beside = _power(k_smooth, e_b, fabs(smooth - 0.5 * other))
-                other_beside = _power(k_smooth, e_b, fabs(other - 0.5 * smooth))
-                ed, de, ss = ed + beside, de + beside, ss + _power(k_smooth, e_b, fabs(other))
-                sd, ds = sd + other_beside, ds + other_beside
-                dd += _power(k_smooth, e_b, fabs(smooth - other))
-            work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed, de
-            work[k, SS], work[k, SD], work[k, DS], work[k, DD] = ss, sd, ds, dd
+            other = q.smooth_turn[j]
+            x = _power(is_linear, k_smooth, e_b, fabs(smooth - 0.5 * other))
+            y = _power(is_linear, k_smooth, e_b, fabs(other - 0.5 * smooth))
+            work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed + x, de + x
+            work[k, SS] = ss + _power(is_linear, k_smooth, e_b, fabs(other))
+            work[k, SD], work[k, DS] = sd + y, ds + y
+            work[k, DD] = dd + _power(is_linear, k_smooth, e_b, fabs(smooth - other))
             j += 1
             if j == n:
                 j = 0
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def resting(self, p: Corners, i: cython.Py_ssize_t, q: Corners, j: cython.Py_ssize_t) -> cython.double:
+        """Return what zero angles cost where q rests on the way in and on the way out."""
+        base = q.base[j]
+        x1: cython.double = _dot(base, p.apart[i])
+        if p.ahead[i] < 0.0 and x1 < 0.0:
+            return 0.0
+        rests: cython.int = _meets_zero_inside(p.ahead[i], p.aside[i], x1, _cross(base, p.along[i]))
+        return self.inside_run(0.0, p, i, q, j) if rests < 0 else rests * self.p_b
 
     @cython.cfunc
     @cython.exceptval(check=False)
@@ -433,7 +486,7 @@ class Bending:
         if k_b != 0.0:
             delta_theta: cython.double = fabs(s1 + s2 + s3)
             delta_theta_star: cython.double = 0.5 * (fabs(s1) + fabs(s2) + fabs(s3) - delta_theta)
-            work = _power(k_b, self.e_b, delta_theta + self.m_b * delta_theta_star)
+            work = _power(self.e_b == 1.0, k_b, self.e_b, delta_theta + self.m_b * delta_theta_star)
         first: cython.double = theta + s1
         second: cython.double = first + s2
         third: cython.double = second + s3
@@ -612,7 +665,10 @@ def fill_bends(
         i, j, first = vertices[c], low[c] % n, column_offset[c]
         beyond: cython.Py_ssize_t = first + high[c] - low[c] + 1
         if bending.by_turning:
-            bending.fill_turning(stiffness[c], p, i, q, j, work, first, beyond)
+            if bending.e_b == 1.0:
+                bending.fill_turning(True, stiffness[c], p, q, Column(i, j, first, beyond), work)
+            else:
+                bending.fill_turning(False, stiffness[c], p, q, Column(i, j, first, beyond), work)
             continue
         for k in range(first, beyond):
             bending.fill_motions(bending.k_b * stiffness[c], p, i, q, j, work, k)
