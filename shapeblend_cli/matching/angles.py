@@ -183,13 +183,23 @@ class Corners:
         self.smooth_turn = self.turn if smooth_turn is None else smooth_turn
         self.back, self.fwd, self.base = back, fwd, base
         self.back_arg, self.fwd_arg, self.base_arg = _arg(back), _arg(fwd), _arg(base)
-        self.heading = _arg(-back)
-        self.ahead = fwd.real * back.real + fwd.imag * back.imag
-        self.aside = fwd.real * back.imag - fwd.imag * back.real
-        self.apart, self.along = back - fwd, back + fwd
-        self.least_turn, self.most_turn = np.minimum(self.turn, 0.0), np.maximum(self.turn, 0.0)
+        self.heading, self.ahead, self.aside, self.least_turn, self.most_turn = np.empty((5, len(vertices)))
+        self.apart, self.along = np.empty((2, len(vertices)), np.complex128)
         self.toward_zero = np.zeros((len(vertices), 4))
+        self._fill_parts()
         self._fill_toward_zero()
+
+    @cython.cfunc
+    @cython.exceptval(check=False)
+    def _fill_parts(self) -> cython.void:
+        """Fill in what is made of B, F, their angles and the turn by a few operations, without an array for each."""
+        cython.declare(k=cython.Py_ssize_t)
+        for k in range(self.turn.shape[0]):
+            back, fwd = self.back[k], self.fwd[k]
+            self.heading[k] = _short_way(self.back_arg[k] + PI)
+            self.ahead[k], self.aside[k] = _dot(fwd, back), _cross(fwd, back)
+            self.apart[k], self.along[k] = back - fwd, back + fwd
+            self.least_turn[k], self.most_turn[k] = min(self.turn[k], 0.0), max(self.turn[k], 0.0)
 
     @cython.cfunc
     @cython.exceptval(check=False)
