@@ -293,26 +293,17 @@ class Graph:
     def _least_end(self, starts: Starts, window: Window, progress: Progress, limit: float) -> Found | None:
         """Return the least path to the ends that belong to the starts, `span` rows further down."""
         low = int(window.low[-1])
-        first_end = max(starts.first_row + self.span - low, 0)
-        offered = progress.ends[first_end : starts.last_row + self.span - low + 1]
-        if not len(offered):
+        first_end = starts.first_row + self.span - low
+        least = np.empty(starts.rows)
+        row, step = sweeps.least_end(progress.ends, first_end, starts.steps if self.closed else STEPS, least)
+        if row < 0 or not least[row] < limit:
             return None
-        for step in STEPS if self.closed else ():
-            if step not in starts.steps:
-                offered[:, step] = np.inf
-        at = int(offered.argmin())
-        work = float(offered.flat[at])
-        if not work < limit:
-            return None
-        row, step = low + first_end + at // 3, at % 3
+        work, row = float(least[row]), row + low + first_end
         dots, first_step = sweeps.backtrack(progress.parents, window, row, step, starts.first_row)
         own = int(dots[0, 1]) + self.span == row and (first_step == step or not self.closed)
         if own and self._in_band(dots):
             return Found(work, dots, True, NO_ENDS)
-        ends = np.full(starts.rows, np.inf)
-        before = low + first_end - self.span - starts.first_row
-        np.minimum.reduce(offered, axis=1, out=ends[before : before + len(offered)])
-        return Found(work, dots, False, ends)
+        return Found(work, dots, False, least)
 
     def _blocks(self, window: Window) -> Iterable[tuple[Tables, int]]:
         """Yield tables for runs of columns of a window, and the last column of each run."""

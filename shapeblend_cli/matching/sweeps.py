@@ -384,6 +384,51 @@ def sweep(
     progress.current = previous
 
 
+def least_end(
+    ends: cython.double[:, ::1],
+    first: cython.Py_ssize_t,
+    ending: tuple[int, ...],
+    least: cython.double[::1],
+) -> tuple[int, int]:
+    """Find the least work at ends of paths.
+
+    Parameters
+    ----------
+    ends : (rows, 3) float
+        Work by the step in, as in `Progress`.
+    first : int
+        Row of the first end, which may be before or beyond these rows, as others may be.
+    ending : tuple of int
+        Steps by which paths end.
+    least : (ends,) float
+        Overwritten: the least work at each end, infinite where there is none.
+
+    Returns
+    -------
+    end : int
+        Number of the end with the least work, the first one of equals; -1 where all are infinite.
+    step : int
+        The step into it.
+    """
+    cython.declare(k=cython.Py_ssize_t, row=cython.Py_ssize_t, found=cython.Py_ssize_t)
+    cython.declare(step=cython.int, step_found=cython.int, work=cython.double, asked=cython.int)
+    asked = 0  # a bit for each step
+    for step in ending:
+        asked |= 1 << step
+    found, step_found, work = -1, 0, INFINITY
+    for k in range(least.shape[0]):
+        least[k] = INFINITY
+        row = first + k
+        if row < 0 or row >= ends.shape[0]:
+            continue
+        for step in range(3):
+            if asked >> step & 1 and ends[row, step] < least[k]:
+                least[k] = ends[row, step]
+                if least[k] < work:
+                    found, step_found, work = k, step, least[k]
+    return found, step_found
+
+
 def backtrack(
     parents: cython.uchar[::1],
     window: Window,
