@@ -91,8 +91,10 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     at = ends[: len(vertices)] / length
     if closed:
         turn = direction - rolled(direction, 1)
+        bends = turn != 0.0
+        turn, place = turn[bends], at[bends]
         turns = np.concatenate([turn, turn, turn])
-        corners = np.concatenate([at - 1.0, at, at + 1.0])
+        corners = np.concatenate([place - 1.0, place, place + 1.0])
     else:
         turn = np.diff(direction, prepend=direction[:1], append=direction[-1:])
         turns = np.concatenate([-turn[:0:-1], turn, -turn[-2::-1]])
@@ -140,7 +142,7 @@ def _add_moves(
     for vertex in range(at.shape[0]):
         if vertex % 64 == 0:
             look_for_signals()
-        while corners[first] < at[vertex] - reach:
+        while first < corners.shape[0] and corners[first] < at[vertex] - reach:
             first += 1
         corner = first
         x: cython.double = 0.0
