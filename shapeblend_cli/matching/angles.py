@@ -462,10 +462,11 @@ class Bending:
             other = q.smooth_turn[j]
             x = _power(is_linear, k_smooth, e_b, fabs(smooth - 0.5 * other))
             y = _power(is_linear, k_smooth, e_b, fabs(other - 0.5 * smooth))
-            work[k, EE], work[k, ED], work[k, DE] = ee + smooth_alone, ed + x, de + x
-            work[k, SS] = ss + _power(is_linear, k_smooth, e_b, fabs(other))
-            work[k, SD], work[k, DS] = sd + y, ds + y
-            work[k, DD] = dd + _power(is_linear, k_smooth, e_b, fabs(smooth - other))
+            # In the order of `steps.BENDS`, whose names the C compiler takes for variables: it would read them again.
+            work[k, 0], work[k, 1], work[k, 2] = ee + smooth_alone, ed + x, de + x
+            work[k, 3] = ss + _power(is_linear, k_smooth, e_b, fabs(other))
+            work[k, 4], work[k, 5] = sd + y, ds + y
+            work[k, 6] = dd + _power(is_linear, k_smooth, e_b, fabs(smooth - other))
             j += 1
             if j == n:
                 j = 0

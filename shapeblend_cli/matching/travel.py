@@ -16,8 +16,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.matching import steps
-
 try:
     import cython
 except ImportError:  # Cython is needed to build, not to run
@@ -33,10 +31,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
-
-cython.declare(EE=cython.int, ED=cython.int, DE=cython.int, SS=cython.int)
-cython.declare(SD=cython.int, DS=cython.int, DD=cython.int)
-EE, ED, DE, SS, SD, DS, DD = steps.BENDS
 
 FLAT = 0.02
 """Minimum height of a box, as a share of its width, and the other way round."""
@@ -103,13 +97,14 @@ def add_travel(
             dy: cython.double = y - q.place[j].imag
             rate: cython.double = stiffness * (dx * dx + dy * dy)
             into_q, out_q = q.before[j], q.after[j]
-            work[k, EE] += rate * (into_p + out_p)
-            work[k, ED] += rate * (into_p + out_p + out_q)
-            work[k, DE] += rate * (into_p + into_q + out_p)
-            work[k, SS] += rate * (into_q + out_q)
-            work[k, SD] += rate * (into_q + out_p + out_q)
-            work[k, DS] += rate * (into_p + into_q + out_q)
-            work[k, DD] += rate * (into_p + into_q + out_p + out_q)
+            # In the order of `steps.BENDS`, whose names the C compiler takes for variables: it would read them again.
+            work[k, 0] += rate * (into_p + out_p)
+            work[k, 1] += rate * (into_p + out_p + out_q)
+            work[k, 2] += rate * (into_p + into_q + out_p)
+            work[k, 3] += rate * (into_q + out_q)
+            work[k, 4] += rate * (into_q + out_p + out_q)
+            work[k, 5] += rate * (into_p + into_q + out_q)
+            work[k, 6] += rate * (into_p + into_q + out_p + out_q)
             j += 1
             if j == n:
                 j = 0
