@@ -116,6 +116,8 @@ class FlatContour:
 
 def _apart(places: FloatArray, least: float) -> IntArray:
     """Return the numbers of rising places that lie further than `least` from the place kept before."""
+    if (places[1:] - places[:-1] > least).all():  # the usual case
+        return np.arange(len(places))
     kept: list[int] = []
     last = -np.inf
     for k, place in enumerate(places.tolist()):
