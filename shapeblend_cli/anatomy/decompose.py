@@ -12,7 +12,7 @@ from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import orientation, signed_area_of, winding_numbers
 from shapeblend_cli.model import MOST_CONTOURS, MOST_SEGMENTS, Box, Contour, Drawing, Polygon, Style
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class PlacedContour(NamedTuple):
     @property
     def area(self) -> float:
         """Area within the polygon; 0 for an open one."""
-        return abs(signed_area(self.polygon.vertices)) if self.polygon.closed else 0.0
+        return abs(signed_area_of(self.polygon)) if self.polygon.closed else 0.0
 
     @property
     def is_slender(self) -> bool:
@@ -186,7 +186,7 @@ def _check_size(drawing: Drawing) -> None:
 def main_orientation(polygons: Sequence[Polygon]) -> int:
     """Return the orientation of the largest closed polygon; 1 where it has none."""
     closed = [polygon for polygon in polygons if polygon.closed]
-    largest = max(closed, key=lambda polygon: abs(signed_area(polygon.vertices)), default=None)
+    largest = max(closed, key=lambda polygon: abs(signed_area_of(polygon)), default=None)
     return (orientation(largest) if largest else 0) or 1
 
 

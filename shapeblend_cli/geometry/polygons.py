@@ -30,6 +30,18 @@ def signed_area(vertices: ComplexArray) -> float:
     return 0.5 * float((vertices.conj() * rolled(vertices, -1)).imag.sum())
 
 
+def signed_area_of(polygon: Polygon) -> float:
+    """Return `signed_area` of a closed polygon, which is known after the first time."""
+    known = _AREAS.get(polygon)
+    if known is None:
+        known = _AREAS[polygon] = signed_area(polygon.vertices)
+    return known
+
+
+_AREAS: WeakKeyDictionary[Polygon, float] = WeakKeyDictionary()
+"""Signed areas of polygons there are: several stages ask for that of the same one."""
+
+
 def ring_edges(rings: Sequence[ComplexArray]) -> tuple[ComplexArray, ComplexArray]:
     """Return the starts and the ends of the edges of closed polygons, all in one."""
     return np.concatenate(rings), np.concatenate([part for ring in rings for part in (ring[1:], ring[:1])])
@@ -67,7 +79,7 @@ def _orientation(polygon: Polygon) -> int:
     if not polygon.closed:
         return 0
     vertices = polygon.vertices
-    sign = int(np.sign(signed_area(vertices)))
+    sign = int(np.sign(signed_area_of(polygon)))
     if polygon_crossings([polygon], most=1):
         edges = rolled(vertices, -1) - vertices
         turns = np.angle(edges * rolled(edges, 1).conj()).sum() / (2.0 * np.pi)

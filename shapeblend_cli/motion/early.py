@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polygons import signed_area_of
 from shapeblend_cli.geometry.polyline import are_near, nearest_places
 from shapeblend_cli.interpolate.paths import paths_at
 
@@ -234,7 +234,7 @@ def _are_alike(
 
 def _area(contour: ContourBlend) -> float:
     """Return the signed area where it is not a point."""
-    return signed_area((contour.polygon_b if contour.grows else contour.polygon_a).vertices)
+    return signed_area_of(contour.polygon_b if contour.grows else contour.polygon_a)
 
 
 def alone_in(shapes: Sequence[ShapeBlend], detail: float = 0.0) -> frozenset[Numbers]:
@@ -265,7 +265,7 @@ def alone_in(shapes: Sequence[ShapeBlend], detail: float = 0.0) -> frozenset[Num
 
 def _area_at(contour: ContourBlend, end: int) -> float:
     """Return the signed area at the start, 0, or the end, 1; none where it is a point."""
-    return signed_area((contour.polygon_b if end else contour.polygon_a).vertices)
+    return signed_area_of(contour.polygon_b if end else contour.polygon_a)
 
 
 def early_shares(
@@ -281,7 +281,7 @@ def early_shares(
         Whether what has a partner changes much.
     """
     contours = [contour for shape in shapes for contour in shape.contours]
-    areas = {contour.b: signed_area(contour.polygon_b.vertices) for contour in contours if contour.is_matched}
+    areas = {contour.b: signed_area_of(contour.polygon_b) for contour in contours if contour.is_matched}
     is_plain = not any(contour.shrinks for contour in contours)
 
     def is_soon(contour: ContourBlend) -> bool:
