@@ -203,7 +203,7 @@ function show(answer, project) {
   if (project === history.present) at("command").textContent = answer.command;
   stage.show(answer);
   const { number, name, why } = answer.grade;
-  at("verdict").textContent = `Grade ${number.toFixed(1)} of 3, ${name}${why ? `: ${why}` : ""}`;
+  at("verdict").title = at("verdict").textContent = `Grade ${number.toFixed(1)} of 3, ${name}${why ? `: ${why}` : ""}`;
   at("verdict").dataset.is = number < 0.5 ? "right" : number >= 2.0 ? "poor" : "fair";
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer);
