@@ -34,6 +34,9 @@ SHARE = 0.55
 MOST_BENT = 1.1
 """Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
 
+WAVY_BENT = 0.9
+"""Maximum spread of the turns along a wavy line that splits, in radians: a gear would come to worms."""
+
 BENT = 0.6
 """Maximum spread of the turns along a line where much else comes and goes, in radians."""
 
@@ -130,7 +133,7 @@ def least_grade(shapes: Shapes) -> float:
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
-    bent = 0.0
+    bent, is_wavy = 0.0, False
     if not any(contour.is_matched for shape in shapes for contour in shape.contours):
         return 0.0
     for shape, contour in _lines_of(shapes):
@@ -141,8 +144,9 @@ def least_grade(shapes: Shapes) -> float:
         may_straighten = shape.reason == COPY or shape.motion_name == "intrinsic"
         if bending > MOST_BENT and (any(are_rings) or not may_straighten):
             return SENT_BACK
+        is_wavy |= shape.reason == COPY and bending > WAVY_BENT
         bent = max(bent, bending)
-    is_unlike = bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
+    is_unlike = is_wavy or bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
     return UNREADABLE if is_unlike else np.inf
 
 
