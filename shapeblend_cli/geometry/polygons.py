@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from functools import wraps
+from typing import TYPE_CHECKING, TypeVar
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -14,12 +15,14 @@ from shapeblend_cli.model import Box, Contour, Polygon
 from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 NEARLY_ALL = 0.95
 """Minimum share of the interior of a polygon with crossings round which it runs one way, to have that orientation."""
+
+Value = TypeVar("Value")
 
 GRID = 24
 """Number of points along each side of the box at which the interior is sampled."""
@@ -30,16 +33,24 @@ def signed_area(vertices: ComplexArray) -> float:
     return 0.5 * float((vertices.conj() * rolled(vertices, -1)).imag.sum())
 
 
-def signed_area_of(polygon: Polygon) -> float:
-    """Return `signed_area` of a closed polygon, which is known after the first time."""
-    known = _AREAS.get(polygon)
-    if known is None:
-        known = _AREAS[polygon] = signed_area(polygon.vertices)
+def _found_once(find: Callable[[Polygon], Value]) -> Callable[[Polygon], Value]:
+    """Keep what is found of a polygon as long as there is that: several stages ask for it."""
+    found: WeakKeyDictionary[Polygon, Value] = WeakKeyDictionary()
+
+    @wraps(find)
+    def known(polygon: Polygon) -> Value:
+        value = found.get(polygon)
+        if value is None:
+            value = found[polygon] = find(polygon)
+        return value
+
     return known
 
 
-_AREAS: WeakKeyDictionary[Polygon, float] = WeakKeyDictionary()
-"""Signed areas of polygons there are: several stages ask for that of the same one."""
+@_found_once
+def signed_area_of(polygon: Polygon) -> float:
+    """Return `signed_area` of a closed polygon, which is known after the first time."""
+    return signed_area(polygon.vertices)
 
 
 def ring_edges(rings: Sequence[ComplexArray]) -> tuple[ComplexArray, ComplexArray]:
@@ -58,6 +69,7 @@ def centroid(vertices: ComplexArray) -> complex:
     return complex(origin + ((p + q) * (p.conj() * q).imag).sum() / (6.0 * area))
 
 
+@_found_once
 def orientation(polygon: Polygon) -> int:
     """Return 1 if a polygon runs from x towards y, -1 if it runs the other way, 0 if that is undecided.
 
@@ -65,17 +77,6 @@ def orientation(polygon: Polygon) -> int:
     nearly all of its interior must be on that side: the turns of a figure of eight cancel, and that one lobe is larger
     means nothing, but a small loop in a drawing's outline is a slip. Open polygons have no orientation.
     """
-    known = _ORIENTATIONS.get(polygon)
-    if known is None:
-        known = _ORIENTATIONS[polygon] = _orientation(polygon)
-    return known
-
-
-_ORIENTATIONS: WeakKeyDictionary[Polygon, int] = WeakKeyDictionary()
-"""Orientations of polygons there are: several stages ask for that of the same one."""
-
-
-def _orientation(polygon: Polygon) -> int:
     if not polygon.closed:
         return 0
     vertices = polygon.vertices
