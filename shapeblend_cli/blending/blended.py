@@ -273,7 +273,7 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     They have about one colour.
     """
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
-    if not _is_free(settings) or paired.copies is not None or paired.changes or paired.required:
+    if not _is_free(settings) or paired.is_fixed:
         return usual
     fills = [[c for c in side.contours if c.role == EXTERIOR and c.style.fill is not None] for side in (a, b)]
     if not all(fills):

@@ -80,6 +80,11 @@ class PairedDrawings(NamedTuple):
     progress: Progress
     copies: Copies | None = None  # of crowds
 
+    @property
+    def is_fixed(self) -> bool:
+        """Whether something else than costs decides pairs, or crowds of copies are matched together."""
+        return bool(self.changes or self.required or self.copies is not None)
+
     def leads(self, shape: ShapeBlend) -> bool:
         """Return whether strokes ride on a shape, which therefore moves straight as they do."""
         leaders = [set(side.values()) for side in self.riders]

@@ -56,11 +56,10 @@ def with_other_matches(
     `move` blends paired drawings, and `works` are those that the ordinary pairing has found. Silhouettes, which have
     one colour, are also cut to pieces for the parts of the other one if they `may_cut`: not signs drawn with a pen.
     """
-    is_fixed = paired.changes or paired.required or paired.copies is not None
     # Two single outlines hardly ever gain by it, and to draw and grade them takes time.
     is_plain_pair = len(paired.a.contours) == len(paired.b.contours) == 1
     large = [shape for shape in usual if shape.size >= LARGE * view.larger_side]
-    if is_fixed or is_plain_pair or not is_suspect(large):
+    if paired.is_fixed or is_plain_pair or not is_suspect(large):
         return paired, usual
     grade = _grade(usual, view)
     if grade < FLAWED:

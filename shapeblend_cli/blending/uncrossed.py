@@ -90,8 +90,7 @@ def with_crossings_undone(
     if not any(fault):
         return usual
     paired = pair()
-    is_fixed = paired.changes or paired.required or paired.copies is not None
-    if is_fixed or max(len(paired.a.contours), len(paired.b.contours)) > MOST:
+    if paired.is_fixed or max(len(paired.a.contours), len(paired.b.contours)) > MOST:
         return usual
     grade = grade_of_shapes(usual, view)
     clean, better = _limits(usual, grade)
