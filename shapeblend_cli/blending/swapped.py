@@ -127,6 +127,7 @@ def least_grade(shapes: Shapes) -> float:
     """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
 
     It is 0 if all lines come or go, and none becomes another.
+
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
     the ring of a play button, may straighten, but for wavy ones; so may lines that unroll by lengths and angles. Where
     much comes and goes there must be less bending.

@@ -176,7 +176,9 @@ def weights_file(strips: Graded) -> str:
     good = strips.shares[strips.grades <= 0.5].mean(axis=0)
     return (
         f'{HEAD}\nBASE = {found.base:.3f}\n"""Grade of a strip without faults."""\n'
-        + _features("WEIGHTS", found.weights, "Additions to the grade for each feature at its worst.")
+        + _features(
+            "WEIGHTS", found.weights[: len(HALVES)], "Additions to the grade for each feature at its worst."
+        )
         + _together(found)
         + _features("GOOD", good, "Mean shares of the features of strips that were graded as drawn by hand.")
     )
@@ -201,7 +203,7 @@ def _together(found: Fit) -> str:
 
 def _features(name: str, values: FloatArray, says: str) -> str:
     lines = "".join(
-        f"    {field}={value:.3f},\n" for field, value in zip(Features._fields, values, strict=False)
+        f"    {field}={value:.3f},\n" for field, value in zip(Features._fields, values, strict=True)
     )
     return f'\n{name} = Features(\n{lines})\n"""{says}"""\n'
 
