@@ -23,6 +23,9 @@ MEETING = 0.5
 OVER = 0.15
 """Share of the way by which edges go beyond each other, so that no light is seen between them."""
 
+LATE = 2
+"""Power of the share of the time until then that is the share of the way of edges: narrow gaps look like cracks."""
+
 FALL = 3
 """Power of the distance with which nodes of an outline count less for the shift of a point."""
 
@@ -52,7 +55,7 @@ class Edge(NamedTuple):
         if share >= 1.0:
             return np.full_like(there, there.mean())
         own = self.points + _moved(self.weights, shift)
-        return np.asarray(own + (1.0 + OVER) * share * (there - own))
+        return np.asarray(own + (1.0 + OVER) * share**LATE * (there - own))
 
 
 class Riding(NamedTuple):

@@ -80,6 +80,14 @@ def test_halfway_the_silhouette_is_whole():
     assert np.abs(ink(pair, 0.5) - ink(silhouette(pair), 0.5)).sum() == 0.0
 
 
+@pytest.mark.parametrize(("end", "t"), [(0.0, 1.0 / 3.0), (1.0, 2.0 / 3.0)])
+def test_gaps_are_no_cracks_until_shortly_before_they_close(end, t):
+    pair = two()
+    whole = silhouette(pair)
+    gaps = [ink(whole, each).sum() - ink(pair, each).sum() for each in (end, t)]
+    assert gaps[1] >= 0.4 * gaps[0]
+
+
 def silhouette(pair):
     """The same pair without gaps."""
     (shape,) = pair.shapes
