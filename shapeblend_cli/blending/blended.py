@@ -17,7 +17,7 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
-from shapeblend_cli.blending.rematched import with_other_matches
+from shapeblend_cli.blending.rematched import with_other_matches, with_points_nearer
 from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
@@ -161,7 +161,7 @@ def _in_outline_alone(
     """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted."""
     move = partial(_blended, view=view)
     paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
-    _, shapes = with_other_matches(paired, move(paired), move, view, {}, may_cut=False)
+    shapes = with_points_nearer(paired, move(paired), move, view)
     return with_parts_paced(shapes, view.larger_side, None, by_size=True)
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
 
     Shapes = tuple[ShapeBlend, ...]
+    Graded = tuple[float, PairedDrawings, Shapes]
 
 FLAWED = 1.25
 """Minimum grade of a blend for other ways to be tried, which take as long as all the rest."""
@@ -64,12 +65,8 @@ def with_other_matches(
     grade = _grade(usual, view)
     if grade < FLAWED:
         return paired, usual
-    found = least = grade, paired, usual
-    if not paired.settings.is_given("k_t"):
-        for stiffness in IN_PLACE:
-            least = min(least, _graded(_stiffer(paired, stiffness), move, view), key=_number)
-    if least[0] < grade - NEARER:
-        found = least
+    least = _nearer((grade, paired, usual), move, view)
+    found = least if least[0] < grade - NEARER else (grade, paired, usual)
     pieces = _in_pieces(paired, works) if may_cut else None
     if pieces is not None:
         stiffnesses = sorted({paired.settings.k_t, least[1].settings.k_t})
@@ -79,7 +76,28 @@ def with_other_matches(
     return found[1:]
 
 
-def _number(graded: tuple[float, PairedDrawings, Shapes]) -> float:
+def with_points_nearer(
+    paired: PairedDrawings, usual: Shapes, move: Callable[[PairedDrawings], Shapes], view: Box
+) -> Shapes:
+    """Return the blend of paired drawings, or one whose points stay nearer to their places if that looks better.
+
+    `move` blends paired drawings. However good the blend is, others are tried.
+    """
+    grade = _grade(usual, view)
+    least = _nearer((grade, paired, usual), move, view)
+    return least[2] if least[0] < grade - NEARER else usual
+
+
+def _nearer(usual: Graded, move: Callable[[PairedDrawings], Shapes], view: Box) -> Graded:
+    """Return the best one of a blend and those whose points stay nearer to their places."""
+    paired = usual[1]
+    if paired.settings.is_given("k_t"):
+        return usual
+    others = [_graded(_stiffer(paired, stiffness), move, view) for stiffness in IN_PLACE]
+    return min([usual, *others], key=_number)
+
+
+def _number(graded: Graded) -> float:
     return graded[0]
 
 
@@ -88,9 +106,7 @@ def _grade(shapes: Shapes, view: Box) -> float:
     return grade_of_shapes(with_parts_paced(shapes, view.larger_side, None, by_size=True), view)
 
 
-def _graded(
-    paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box
-) -> tuple[float, PairedDrawings, Shapes]:
+def _graded(paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box) -> Graded:
     """Return the grade of the blend of paired drawings in a view, with both."""
     shapes = move(paired)
     return _grade(shapes, view), paired, shapes

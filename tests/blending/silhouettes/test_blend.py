@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.blending.graded import grade_of
+from shapeblend_cli.blending import rematched
+from shapeblend_cli.blending.graded import grade_of, grade_of_shapes
 from shapeblend_cli.blending.silhouettes import blend
 from shapeblend_cli.blending.silhouettes.blend import CLOSED, Width
 from shapeblend_cli.frames.frames import shapes_at
@@ -101,6 +102,15 @@ def test_gaps_stay_in_the_silhouette(t):
     pair = two()
     beyond = (ink(pair, t) > 0.5) & (ink(silhouette(pair), t) < 0.5)
     assert beyond.mean() <= 0.004
+
+
+def test_points_of_the_silhouette_stay_nearer_to_their_places_if_that_looks_better(monkeypatch):
+    def graded():
+        return grade_of_shapes(silhouette(two()).shapes, VIEW)
+
+    better = graded()
+    monkeypatch.setattr(rematched, "IN_PLACE", ())
+    assert better < graded() - 0.2
 
 
 def test_waypoints_are_few():
