@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.blending.silhouettes.softening import SOFT, softened, softness
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import needed
@@ -73,6 +74,12 @@ class Riding(NamedTuple):
         """Return the control points of each contour at time t."""
         own = [segments for shape in self.shapes for segments in segments_at(shape, t)]
         outlines = contours[: len(own)]
+        corners = np.concatenate([segments[:, 0] for segments in own])
+        deviation = SOFT * softness(t) * float(max(np.ptp(corners.real), np.ptp(corners.imag)))
+        own = [
+            softened(segments, deviation) if each.is_matched else segments
+            for segments, each in zip(own, outlines, strict=True)
+        ]
         matched = [segments for segments, each in zip(own, outlines, strict=True) if each.is_matched]
         now = np.concatenate([segments[:, 0] for segments in matched])
         shifts = [now - there for there in nodes(outlines)]
