@@ -7,12 +7,13 @@ feathers end as a ragged fringe. The silhouette is one outline, or few.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedDrawing, decompose, main_orientation
-from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect
+from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect, judged_grade
 from shapeblend_cli.blending.plates.inverted import is_blend_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
@@ -76,10 +77,15 @@ class Width(NamedTuple):
     least: float  # the least grade of the usual blend
     better: float  # the least advantage over that, in grades
     most: float  # the largest grade
-    bent: bool  # whether only where outlines are bent much
+    fault: float = 0.0  # the least of an outline of the usual blend, if one has to have any
+    judged: float = 0.0  # the least advantage as `shapeblend judge` grades both, unless it is not asked
 
 
-WIDTHS = (Width(0.03, 1.55, 0.6, 1.6, bent=False), Width(0.045, 1.25, 0.75, 1.1, bent=True))
+WIDTHS = (
+    Width(0.03, 1.55, 0.6, 1.6),
+    Width(0.045, 1.25, 0.75, 1.1, fault=0.2),
+    Width(0.045, 0.95, 0.5, 1.3, fault=0.1, judged=0.9),
+)
 """Widths of gaps that are tried until one looks good enough: wide gaps may also be between parts that stand apart."""
 
 
@@ -114,18 +120,31 @@ def with_silhouettes(
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
     grade = grade_of_shapes(usual, view)
-    for width in WIDTHS:
-        if grade < width.least or (width.bent and not is_suspect(usual)):
-            continue
-        sides = _sides(a, b, settings, view.larger_side, width.radius)
+
+    @cache
+    def closed(radius: float) -> tuple[tuple[_Side, _Side], Shapes, float] | None:
+        sides = _sides(a, b, settings, view.larger_side, radius)
         if sides is None:
-            continue
+            return None
         shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
         # The judge misses the detail of gaps that are closed, so it is asked about the silhouettes alone.
-        if grade_of_shapes(shapes, view) <= min(width.most, grade - width.better):
-            found = (_riding(shapes, sides, view.larger_side),)
-            if is_blend_of(found, a, b, view, SAME):
-                return found
+        return sides, shapes, grade_of_shapes(shapes, view)
+
+    for width in WIDTHS:
+        if grade < width.least or (width.fault and not is_suspect(usual, width.fault)):
+            continue
+        judged = judged_grade(usual, view) if width.judged else 0.0
+        if judged < width.judged:
+            continue
+        found = closed(width.radius)
+        if found is None or found[2] > min(width.most, grade - width.better):
+            continue
+        sides, shapes, _ = found
+        if width.judged and judged_grade(shapes, view) > judged - width.judged:
+            continue
+        riding = (_riding(shapes, sides, view.larger_side),)
+        if is_blend_of(riding, a, b, view, SAME):
+            return riding
     return usual
 
 

@@ -29,9 +29,10 @@ TURTLE = (
 BROAD = "M4 4H60V30H34V10H32V30H4Z M4 33H60V60H4Z"
 LONG = "M2 10H62V24H2Z M2 27H62V40H40V50H38V40H2Z"
 WORSE = [
-    Width(0.03, 9.0, -9.0, 9.0, bent=False),
-    Width(0.03, 0.0, 3.0, 9.0, bent=False),
-    Width(0.03, 0.0, -9.0, 0.0, bent=False),
+    Width(0.03, 9.0, -9.0, 9.0),
+    Width(0.03, 0.0, 3.0, 9.0),
+    Width(0.03, 0.0, -9.0, 0.0),
+    Width(0.03, 0.0, -9.0, 9.0, fault=9.0),
 ]
 EYE = "M{0} 50V54H{1}V50Z"
 
@@ -54,8 +55,8 @@ def closes(pair):
 def always(monkeypatch):
     """Let gaps close whatever the grades."""
     monkeypatch.setattr(blend, "DETAILED", 0.0)
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0, bent=False),))
-    monkeypatch.setattr(blend, "is_suspect", lambda shapes: True)
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0),))
+    monkeypatch.setattr(blend, "is_suspect", lambda *arguments: True)
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -134,6 +135,20 @@ def test_silhouettes_have_to_look_far_better(width, monkeypatch):
     assert not closes(two())
 
 
+@pytest.mark.parametrize(("advantage", "is_enough"), [(0.1, True), (1.5, False)])
+def test_silhouettes_may_have_to_look_better_to_the_judge_of_strips(advantage, is_enough, monkeypatch):
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0, judged=advantage),))
+    assert closes(two()) == is_enough
+
+
+def test_gaps_of_one_width_close_once(monkeypatch):
+    found = []
+    monkeypatch.setattr(blend, "WIDTHS", 2 * (Width(0.03, 0.0, 3.0, 9.0),))
+    monkeypatch.setattr(blend, "_sides", lambda *arguments: found.append(arguments))
+    assert not closes(two())
+    assert len(found) == 1
+
+
 def test_what_users_ask_for_is_left_as_it_is():
     assert not closes(two(motion="linear"))
     assert not closes(two(match=((0, 0),)))
@@ -179,9 +194,9 @@ def test_wide_gaps_close_where_outlines_are_bent(monkeypatch):
     paths = "M4 4H60V30H4Z M4 34.5H60V60H4Z", "M2 10H62V40H2Z"
     monkeypatch.setattr(blend, "PLAIN", 0.0)
     assert not closes(two(*paths))
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, bent=True),))
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, fault=0.2),))
     assert closes(two(*paths))
-    monkeypatch.setattr(blend, "is_suspect", lambda shapes: False)
+    monkeypatch.setattr(blend, "is_suspect", lambda *arguments: False)
     assert not closes(two(*paths))
 
 
