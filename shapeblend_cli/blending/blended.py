@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes, judged_grade
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.paced import KEPT, with_parts_paced
@@ -28,6 +28,7 @@ from shapeblend_cli.blending.swapped import (
     SENT_BACK,
     UNUSABLE,
     is_covered,
+    is_swapped,
     least_grade,
     most_bent,
     swapped,
@@ -68,7 +69,7 @@ SOLID = 0.3
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
-MARGIN = 0.5
+MARGIN = 0.3
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
 
 
@@ -106,11 +107,13 @@ def blend_shapes(
     may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
     may_swap = may_swap and (lines is None or lines.kept < KEPT)
 
-    def usual() -> Shapes:
-        shapes = _by_lines_or_outlines(a, b, settings, view, progress, pens, lines)
-        if may_swap and pens and _are_too_unlike(a, b, shapes, pens, view):
+    def swap(shapes: Shapes) -> Shapes:
+        if may_swap and pens and not is_swapped(shapes) and _are_too_unlike(a, b, shapes, pens, view):
             return swapped(a, b, settings, view.centre)
         return shapes
+
+    def usual() -> Shapes:
+        return swap(_by_lines_or_outlines(a, b, settings, view, progress, pens, lines, swap))
 
     is_all_lines = lines is not None and lines.is_sure and not any(lines.rest)
     if is_named or not _is_free(settings) or is_all_lines:
@@ -197,8 +200,12 @@ def _by_lines_or_outlines(
     progress: Progress,
     pens: tuple[PenDrawing, PenDrawing] | None,
     lines: LineBlend | None,
+    swap: Callable[[Shapes], Shapes],
 ) -> Shapes:
-    """Blend two drawings by their pen lines and what is beside these, or by all outlines if that looks better."""
+    """Blend two drawings by their pen lines and what is beside these, or by all outlines if that looks better.
+
+    `swap` returns a blend, or one in which the drawings take each other's place.
+    """
 
     def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
         plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
@@ -240,9 +247,11 @@ def _by_lines_or_outlines(
         return together(by_size=True)
     outlines = outlined(a, b, settings)
     # Parts that are gone early would hide from the judge what becomes of them.
-    plain = paced(outlines, by_size=False), together(by_size=False)
+    plain = paced(outlines, by_size=False), swap(together(by_size=False))
     grades = [grade_of_shapes(shapes, view) for shapes in plain]
-    return paced(outlines) if grades[0] < grades[1] - MARGIN else together(by_size=True)
+    if grades[0] < grades[1] - MARGIN:
+        return paced(outlines)
+    return plain[1] if is_swapped(plain[1]) else together(by_size=True)
 
 
 def _are_too_unlike(
@@ -252,7 +261,7 @@ def _are_too_unlike(
     first, last = pens
     if min(first.share, last.share) >= MOSTLY:
         bent = most_bent(shapes)
-        if bent >= CURVED and judged_grade(shapes, view) >= UNUSABLE - PER_RADIAN * bent:
+        if bent >= CURVED and grade_of_shapes(shapes, view) >= UNUSABLE - PER_RADIAN * bent:
             return True
     if min(first.share, last.share) >= ALL:
         least = least_grade(shapes)

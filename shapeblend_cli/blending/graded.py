@@ -1,4 +1,4 @@
-"""The grade of a blend, by pictures of it, and the number by which blends of the same shapes compare."""
+"""The grade of a blend, by pictures of it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 STEPS = 6
 """Number of steps between the pictures that are graded."""
 
-FINE = 0.75
+FINE = 0.5
 """Maximum grade of a blend for no other to be tried."""
 
 BETTER = 0.2
@@ -40,20 +40,8 @@ def grade_of(pair: Pair) -> Grade:
 
 
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
-    """Return about a grade of some shapes alone, by which blends of them compare."""
-    from shapeblend_cli.grading.preference import grade_among_blends
-
-    return SWAP_GRADE if is_swapped(shapes) else grade_among_blends(_strip(_alone(shapes, view)))
-
-
-def judged_grade(shapes: Sequence[ShapeBlend], view: Box) -> float:
-    """Return the grade of some shapes alone, as `shapeblend judge` grades their frames."""
-    return grade_of(_alone(shapes, view)).number
-
-
-def _alone(shapes: Sequence[ShapeBlend], view: Box) -> Pair:
-    """Return a pair of some shapes alone in a view."""
-    return Pair(0, 1, tuple(shapes), ((), ()), (view, view))
+    """Return the grade of some shapes alone in a view, by which blends of them compare."""
+    return grade_of(Pair(0, 1, tuple(shapes), ((), ()), (view, view))).number
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     Shapes = tuple[ShapeBlend, ...]
     Graded = tuple[float, PairedDrawings, Shapes]
 
-FLAWED = 1.25
+FLAWED = 0.95
 """Minimum grade of a blend for other ways to be tried, which take as long as all the rest."""
 
 LARGE = 0.5

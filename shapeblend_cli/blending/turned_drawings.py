@@ -49,7 +49,7 @@ MOST_STAYS = 0.9
 COPIED = 0.85
 """Minimum share of points that are in the other drawing when it is turned."""
 
-LITTLE_LEFT = 1.2
+LITTLE_LEFT = 0.95
 """Maximum grade of what a drawing does besides turning."""
 
 LITTLE_MOVED = 0.25

@@ -30,5 +30,5 @@ def test_what_users_name_is_left_as_it_is():
 
 def test_a_small_gain_changes_nothing(monkeypatch):
     for module in (blended, pairings):
-        monkeypatch.setattr(module, "BETTER", 0.5)
+        monkeypatch.setattr(module, "BETTER", 1.5)
     assert numbers(pair_of(A, B)) == [(None, 0), (0, 1), (1, 2)]

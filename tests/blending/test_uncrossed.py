@@ -31,6 +31,7 @@ def test_an_outline_does_not_cross_itself_if_another_way_is_as_good(a, b, monkey
 
 def test_what_looks_much_worse_without_crossings_is_not_taken(monkeypatch):
     monkeypatch.setattr(uncrossed, "WORSE", -3.0)
+    monkeypatch.setattr(uncrossed, "BETTER", 3.0)
     assert fault(G, DOWN).crossed > 1
 
 

@@ -281,10 +281,9 @@ graded to compare two ways to blend that were both thought good, so that they di
 | --- | --- | --- | --- | --- |
 {checks}
 
-The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
-chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one. Where
-other pairings are tried, pictures are compared by an older set of features, `shapeblend_cli/grading/preference.py`:
-when these chose by the features above, people preferred fewer of the blends.
+The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. So do blends
+that are tried in other ways: the best grade is taken. The judge that chooses motions, [the page on motion](motion.md),
+looks at outlines, not at pictures. Its number is another one.
 """
 
 

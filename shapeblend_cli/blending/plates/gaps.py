@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     Shapes = tuple[ShapeBlend, ...]
 
-SHIPS = 1.5
+SHIPS = 1.25
 """Minimum grade of the usual blend for gaps to close in a ring without a handle."""
 
 LEAST_FILLED = 0.3

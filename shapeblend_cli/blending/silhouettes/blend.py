@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedDrawing, decompose, main_orientation
-from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect, judged_grade
+from shapeblend_cli.blending.graded import SUSPECT, grade_of_shapes, is_suspect
 from shapeblend_cli.blending.plates.inverted import is_blend_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
@@ -77,16 +77,19 @@ class Width(NamedTuple):
     least: float  # the least grade of the usual blend
     better: float  # the least advantage over that, in grades
     most: float  # the largest grade
-    fault: float = 0.0  # the least of an outline of the usual blend, if one has to have any
-    judged: float = 0.0  # the least advantage as `shapeblend judge` grades both, unless it is not asked
+    fault: float  # the least of the worst outline of the usual blend
 
 
 WIDTHS = (
-    Width(0.03, 1.55, 0.6, 1.6),
-    Width(0.045, 1.25, 0.75, 1.1, fault=0.2),
-    Width(0.045, 0.95, 0.5, 1.3, fault=0.1, judged=0.9),
+    Width(0.03, 1.2, 0.6, 1.35, SUSPECT),
+    Width(0.03, 1.7, 0.6, 1.35, 0.0),
+    Width(0.045, 1.0, 0.7, 0.85, SUSPECT),
+    Width(0.045, 0.7, 0.9, 1.05, 0.1),
 )
 """Widths of gaps that are tried until one looks good enough: wide gaps may also be between parts that stand apart."""
+
+WORSE = 0.6
+"""Maximum disadvantage of the blend with its gaps, in grades: the judge misses the detail of gaps that are closed."""
 
 
 class _Side(NamedTuple):
@@ -127,23 +130,17 @@ def with_silhouettes(
         if sides is None:
             return None
         shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
-        # The judge misses the detail of gaps that are closed, so it is asked about the silhouettes alone.
         return sides, shapes, grade_of_shapes(shapes, view)
 
     for width in WIDTHS:
-        if grade < width.least or (width.fault and not is_suspect(usual, width.fault)):
-            continue
-        judged = judged_grade(usual, view) if width.judged else 0.0
-        if judged < width.judged:
+        if grade < width.least or not is_suspect(usual, width.fault):
             continue
         found = closed(width.radius)
         if found is None or found[2] > min(width.most, grade - width.better):
             continue
         sides, shapes, _ = found
-        if width.judged and judged_grade(shapes, view) > judged - width.judged:
-            continue
         riding = (_riding(shapes, sides, view.larger_side),)
-        if is_blend_of(riding, a, b, view, SAME):
+        if grade_of_shapes(riding, view) <= grade + WORSE and is_blend_of(riding, a, b, view, SAME):
             return riding
     return usual
 

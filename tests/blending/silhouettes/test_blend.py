@@ -29,10 +29,10 @@ TURTLE = (
 BROAD = "M4 4H60V30H34V10H32V30H4Z M4 33H60V60H4Z"
 LONG = "M2 10H62V24H2Z M2 27H62V40H40V50H38V40H2Z"
 WORSE = [
-    Width(0.03, 9.0, -9.0, 9.0),
-    Width(0.03, 0.0, 3.0, 9.0),
-    Width(0.03, 0.0, -9.0, 0.0),
-    Width(0.03, 0.0, -9.0, 9.0, fault=9.0),
+    Width(0.03, 9.0, -9.0, 9.0, 0.0),
+    Width(0.03, 0.0, 3.0, 9.0, 0.0),
+    Width(0.03, 0.0, -9.0, 0.0, 0.0),
+    Width(0.03, 0.0, -9.0, 9.0, 9.0),
 ]
 EYE = "M{0} 50V54H{1}V50Z"
 
@@ -55,8 +55,9 @@ def closes(pair):
 def always(monkeypatch):
     """Let gaps close whatever the grades."""
     monkeypatch.setattr(blend, "DETAILED", 0.0)
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0),))
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0, 0.0),))
     monkeypatch.setattr(blend, "is_suspect", lambda *arguments: True)
+    monkeypatch.setattr(blend, "WORSE", 9.0)
 
 
 @pytest.mark.parametrize("backwards", [False, True])
@@ -109,9 +110,10 @@ def test_points_of_the_silhouette_stay_nearer_to_their_places_if_that_looks_bett
     def graded():
         return grade_of_shapes(silhouette(two()).shapes, VIEW)
 
+    monkeypatch.setattr(rematched, "NEARER", 0.05)
     better = graded()
     monkeypatch.setattr(rematched, "IN_PLACE", ())
-    assert better < graded() - 0.2
+    assert better < graded() - 0.05
 
 
 def test_waypoints_are_few():
@@ -125,7 +127,7 @@ def test_a_blend_that_looks_right_stays(monkeypatch):
 
     monkeypatch.setattr(blend, "DETAILED", 0.0)
     monkeypatch.setattr(blend, "_sides", fail)
-    assert not closes(two(BROAD, LONG))
+    assert not closes(two(BROAD, BROAD.replace("60H4", "58H4")))
 
 
 @pytest.mark.parametrize("width", WORSE)
@@ -135,15 +137,15 @@ def test_silhouettes_have_to_look_far_better(width, monkeypatch):
     assert not closes(two())
 
 
-@pytest.mark.parametrize(("advantage", "is_enough"), [(0.1, True), (1.5, False)])
-def test_silhouettes_may_have_to_look_better_to_the_judge_of_strips(advantage, is_enough, monkeypatch):
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.03, 0.0, -9.0, 9.0, judged=advantage),))
-    assert closes(two()) == is_enough
+@pytest.mark.parametrize(("worse", "may_close"), [(9.0, True), (-9.0, False)])
+def test_with_its_gaps_the_blend_looks_little_worse_than_usual(worse, may_close, monkeypatch):
+    monkeypatch.setattr(blend, "WORSE", worse)
+    assert closes(two()) == may_close
 
 
 def test_gaps_of_one_width_close_once(monkeypatch):
     found = []
-    monkeypatch.setattr(blend, "WIDTHS", 2 * (Width(0.03, 0.0, 3.0, 9.0),))
+    monkeypatch.setattr(blend, "WIDTHS", 2 * (Width(0.03, 0.0, 3.0, 9.0, 0.0),))
     monkeypatch.setattr(blend, "_sides", lambda *arguments: found.append(arguments))
     assert not closes(two())
     assert len(found) == 1
@@ -194,7 +196,7 @@ def test_wide_gaps_close_where_outlines_are_bent(monkeypatch):
     paths = "M4 4H60V30H4Z M4 34.5H60V60H4Z", "M2 10H62V40H2Z"
     monkeypatch.setattr(blend, "PLAIN", 0.0)
     assert not closes(two(*paths))
-    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, fault=0.2),))
+    monkeypatch.setattr(blend, "WIDTHS", (Width(0.045, 0.0, -9.0, 9.0, 0.2),))
     assert closes(two(*paths))
     monkeypatch.setattr(blend, "is_suspect", lambda *arguments: False)
     assert not closes(two(*paths))
