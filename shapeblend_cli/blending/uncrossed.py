@@ -15,14 +15,14 @@ from shapeblend_cli.blending.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import expect, paths_at, segments_at
-from shapeblend_cli.motion.choose import ASKED, CHECKED_TIMES, OTHERS_CROSS
+from shapeblend_cli.motion.choose import ASKED, CHECKED_TIMES, OTHERS_CROSS, crosses_at
 from shapeblend_cli.motion.rigid import Whole
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.matched import PairedDrawings
-    from shapeblend_cli.model import Box, ContourBlend, CubicPath, ShapeBlend
+    from shapeblend_cli.model import Box, ShapeBlend
 
     Shapes = tuple[ShapeBlend, ...]
 
@@ -147,24 +147,26 @@ def _are_suspect(shapes: Shapes) -> bool:
 def fault_of(shapes: Shapes) -> Fault:
     """Return what is wrong with the outlines of a blend."""
     filled = [shape for shape in shapes if shape.style_a.fill is not None or shape.style_b.fill is not None]
-    crossed = 0
-    for shape in filled:
-        expect(shape, CHECKED_TIMES)
-        every = [paths_at(shape, t) for t in CHECKED_TIMES]
-        crossed += sum(
-            _crossed(contour, paths)
-            for contour, paths in zip(shape.contours, zip(*every, strict=True), strict=True)
-        )
+    crossed = sum(_crossed(shape) for shape in filled)
     return Fault(crossed, _is_lost(filled))
 
 
-def _crossed(contour: ContourBlend, paths: Sequence[CubicPath]) -> int:
-    """Return at how many times a contour crosses itself, unless it does so at an end."""
-    if not contour.start.closed:
-        return 0
-    count = sum(path_crossings([path], 1) for path in paths)
-    is_crossed = count > 0 and any(path_crossings([path], 1) for path in (contour.start, contour.end))
-    return 0 if is_crossed else count
+def _crossed(shape: ShapeBlend) -> int:
+    """Return at how many times contours of a shape cross themselves, unless they do so at an end, over all of these."""
+    expect(shape, CHECKED_TIMES)
+    if len(shape.contours) == 1:  # which has been asked of most motions that were chosen
+        counts = [sum(crosses_at(shape, t) for t in CHECKED_TIMES)] if shape.contours[0].start.closed else [0]
+    else:
+        every = [paths_at(shape, t) for t in CHECKED_TIMES]
+        counts = [
+            sum(path_crossings([path], 1) for path in paths) if paths[0].closed else 0
+            for paths in zip(*every, strict=True)
+        ]
+    return sum(
+        count
+        for count, contour in zip(counts, shape.contours, strict=True)
+        if count > 0 and not any(path_crossings([path], 1) for path in (contour.start, contour.end))
+    )
 
 
 def _keeps_area(shape: ShapeBlend) -> bool:

@@ -100,7 +100,7 @@ def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
     return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0, finer))
 
 
-class _Moving:
+class Moving:
     """A shape that moves all the time; equal are those with the same contours and the same motion."""
 
     def __init__(self, shape: ShapeBlend) -> None:
@@ -110,7 +110,7 @@ class _Moving:
         return hash((id(self.shape.contours), id(self.shape.motion)))
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, _Moving):
+        if not isinstance(other, Moving):
             return NotImplemented
         one, two = self.shape, other.shape
         return one.contours is two.contours and one.motion is two.motion
@@ -118,11 +118,11 @@ class _Moving:
 
 def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> Sequence[float]:
     """Return the times at which a shape's motion is cut into straight steps, from one time to another."""
-    return () if shape.motion is None or begin >= until else _found_cuts(_Moving(shape), begin, until, finer)
+    return () if shape.motion is None or begin >= until else _found_cuts(Moving(shape), begin, until, finer)
 
 
 @lru_cache(maxsize=8)
-def _found_cuts(moving: _Moving, begin: float, until: float, finer: float) -> Sequence[float]:
+def _found_cuts(moving: Moving, begin: float, until: float, finer: float) -> Sequence[float]:
     """Return `_cuts`, which the view of a blend asks for as animations do."""
     shape = moving.shape
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]

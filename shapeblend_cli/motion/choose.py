@@ -8,11 +8,12 @@ B rotated back.
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import expect, paths_at
-from shapeblend_cli.model import Candidate
+from shapeblend_cli.interpolate.paths import Moving, expect, paths_at
+from shapeblend_cli.model import WHOLE, Candidate
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judge_shape
 
@@ -171,7 +172,21 @@ def _crosses(shape: ShapeBlend) -> bool:
 def _cross_more(shape: ShapeBlend, most: int) -> bool:
     """Return whether the outlines of a shape cross more than so often at any of the times that are checked."""
     expect(shape, CHECKED_TIMES)
+    if most == 0:
+        return any(crosses_at(shape, t) for t in CHECKED_TIMES)
     return any(path_crossings(paths_at(shape, t), most + 1) > most for t in CHECKED_TIMES)
+
+
+def crosses_at(shape: ShapeBlend, t: float) -> bool:
+    """Return whether the outlines of a shape cross themselves or each other at a time."""
+    return _crosses_then(Moving(shape), shape.own_time(t))
+
+
+@lru_cache(maxsize=8 * len(CHECKED_TIMES))
+def _crosses_then(moving: Moving, t: float) -> bool:
+    """Return `crosses_at` by a shape's own time; of the motion that is chosen it is asked again."""
+    shape = moving.shape
+    return path_crossings(paths_at(shape._replace(span=WHOLE, pace=()), t), 1) > 0
 
 
 def candidate_of(shape: ShapeBlend, view: Box) -> Candidate:
