@@ -25,7 +25,7 @@ import numpy as np
 from shapeblend_cli.matching.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
 from shapeblend_cli.matching.steps import ENTERING, SOUTHEAST, STEPS
 
-SLACKS = (0.02, 0.2)
+SLACKS = (0.1, 0.6)
 """Shares above its lower bound within which a first closed path is looked for, before it is looked for anywhere."""
 
 
