@@ -7,7 +7,7 @@ feathers end as a ragged fringe. The silhouette is one outline, or few.
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -123,10 +123,11 @@ def with_silhouettes(
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
     grade = grade_of_shapes(usual, view)
+    rim = cache(partial(_rim, (a, b), SPACING * view.larger_side))
 
     @cache
     def closed(radius: float) -> tuple[tuple[_Side, _Side], Shapes, float] | None:
-        sides = _sides(a, b, settings, view.larger_side, radius)
+        sides = _sides(a, b, rim, settings, view.larger_side, radius)
         if sides is None:
             return None
         shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
@@ -169,19 +170,33 @@ def _has_letters(drawing: PlacedDrawing) -> bool:
     return len(columns) >= ROW and min(heights) >= TALL * max(heights)
 
 
+def _rim(drawings: tuple[PlacedDrawing, PlacedDrawing], spacing: float, side: int) -> Rim:
+    from shapeblend_cli.blending.silhouettes.ground import rim_of  # few blends come so far
+
+    return rim_of(drawings[side].contours, spacing)
+
+
 def _sides(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: float, radius: float
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    rim_at: Callable[[int], Rim],
+    settings: Settings,
+    view: float,
+    radius: float,
 ) -> tuple[_Side, _Side] | None:
-    """Return two drawings as silhouettes with gaps up to a radius, in a view of a side; None if there are none."""
-    from shapeblend_cli.blending.silhouettes.ground import parted, rim_of  # few blends come so far
+    """Return two drawings as silhouettes with gaps up to a radius, in a view of a side; None if there are none.
+
+    Given are the drawings' rims, by 0 and 1.
+    """
+    from shapeblend_cli.blending.silhouettes.ground import parted  # few blends come so far
 
     kept: tuple[set[int], set[int]] = set(), set()
     for pair in _like_holes(a.contours, b.contours):
         for side, k in zip(kept, pair, strict=True):
             side.add(k)
     found = []
-    for drawing, stays in zip((a, b), kept, strict=True):
-        rim = rim_of(drawing.contours, SPACING * view)
+    for number, drawing in enumerate((a, b)):
+        rim, stays = rim_at(number), kept[number]
         each = list(enumerate(drawing.contours))
         closed = np.array([contour.role == HOLE and rim.largest(k) < VOID * view for k, contour in each])
         is_kept = np.array([k in stays for k, _ in each])

@@ -13,6 +13,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.pairing.costs import assign
+from shapeblend_cli.pens.recovery.balls import touching_points
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -37,9 +38,6 @@ ACROSS = 3.0
 
 GRAZING = 0.15
 """Minimum sine of the angle between an outline and the chord to a point that bounds a ball: segments meet at kinks."""
-
-ROWS = 256
-"""Number of points whose balls are found together."""
 
 ROUNDS = 20
 """Maximum number of attempts to find gaps that fit together."""
@@ -128,18 +126,17 @@ def _tangents(ring: ComplexArray) -> ComplexArray:
 
 
 def _balls(points: ComplexArray, normals: ComplexArray) -> tuple[FloatArray, IntArray]:
-    """Return the radius of the largest ball on the side of the normals at each point, and the point that bounds it."""
-    radii, touching = np.empty(len(points)), np.empty(len(points), np.intp)
-    for begin in range(0, len(points), ROWS):
-        some = slice(begin, begin + ROWS)
-        ways = points - points[some, None]
-        squares = ways.real**2 + ways.imag**2
-        inward = (normals[some, None].conj() * ways).real
-        is_ahead = inward > GRAZING * np.sqrt(squares)
-        diameters = np.where(is_ahead, squares / np.where(is_ahead, inward, 1.0), np.inf)
-        touching[some] = diameters.argmin(axis=1)
-        radii[some] = 0.5 * diameters[np.arange(len(diameters)), touching[some]]
-    return radii, touching
+    """Return the radius of the largest ball on the side of the normals at each point, and the point that bounds it.
+
+    The radius is infinite where no point does.
+    """
+    touching = touching_points(points, normals, GRAZING)
+    is_bounded = touching >= 0
+    touching = np.maximum(touching, 0)
+    ways = points[touching] - points
+    inward = (normals.conj() * ways).real
+    diameters = (ways.real**2 + ways.imag**2) / np.where(is_bounded, inward, 1.0)
+    return 0.5 * np.where(is_bounded, diameters, np.inf), touching
 
 
 def parted(rim: Rim, width: float, closed: BoolArray, kept: BoolArray, void: float) -> Parted:

@@ -15,10 +15,17 @@ try:
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
+if cython.compiled:
+    from cython.cimports.libc.math import sqrt
+else:
+    from math import sqrt
+
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
 
 COMPILED = cython.compiled
+
+INFINITY = cython.declare(cython.double, float("inf"))
 
 GRAZING = cython.declare(cython.double, 1e-6)
 """Minimum sine of the angle between the tangent at a point and the chord to one that bounds its ball."""
@@ -55,6 +62,95 @@ def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> 
     return found
 
 
+def touching_points(points: ComplexArray, normals: ComplexArray, grazing: float) -> IntArray:
+    """Return the point that bounds the largest ball on the side of the normals at each point, -1 where none does.
+
+    It is found as in `ball_diameters`. Of points that bound a ball alike it is the first.
+
+    Parameters
+    ----------
+    points : (n,) complex
+        Of all contours of a region.
+    normals : (n,) complex
+        Unit vectors.
+    grazing : float
+        Minimum sine of the angle between the tangent at a point and the chord to one that bounds its ball.
+
+    Returns
+    -------
+    (n,) int
+    """
+    found = np.empty(len(points), np.intp)
+    arrays = (points.real, points.imag, normals.real, normals.imag)
+    x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
+    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
+    _find_touching(x, y, u, v, grazing, boxes, found)
+    return found
+
+
+@cython.cfunc
+@cython.exceptval(check=False)
+def _fill_boxes(x: cython.double[::1], y: cython.double[::1], boxes: cython.double[:, ::1]) -> cython.void:
+    """Fill in the boxes around blocks of points: left, right, top and bottom."""
+    b: cython.Py_ssize_t
+    j: cython.Py_ssize_t
+    for b in range(boxes.shape[0]):
+        j = b * BLOCK
+        boxes[b, 0] = boxes[b, 1] = x[j]
+        boxes[b, 2] = boxes[b, 3] = y[j]
+        for j in range(b * BLOCK + 1, min(x.shape[0], (b + 1) * BLOCK)):
+            boxes[b, 0], boxes[b, 1] = min(boxes[b, 0], x[j]), max(boxes[b, 1], x[j])
+            boxes[b, 2], boxes[b, 3] = min(boxes[b, 2], y[j]), max(boxes[b, 3], y[j])
+
+
+@cython.cfunc
+def _find_touching(
+    x: cython.double[::1],
+    y: cython.double[::1],
+    u: cython.double[::1],
+    v: cython.double[::1],
+    grazing: cython.double,
+    boxes: cython.double[:, ::1],
+    found: cython.Py_ssize_t[::1],
+) -> None:
+    """Find the balls of points: first that by what bounds the last one, then by blocks that reach into the ball."""
+    i: cython.Py_ssize_t
+    j: cython.Py_ssize_t
+    b: cython.Py_ssize_t
+    count: cython.Py_ssize_t = x.shape[0]
+    last: cython.Py_ssize_t = 0
+    _fill_boxes(x, y, boxes)
+    for i in range(count):
+        best: cython.double = INFINITY
+        touched: cython.Py_ssize_t = -1
+        first: cython.Py_ssize_t = last
+        for b in range(-1, boxes.shape[0]):
+            begin: cython.Py_ssize_t = first
+            end: cython.Py_ssize_t = first + 1
+            if b >= 0:
+                if best < INFINITY:
+                    radius: cython.double = 0.5 * best
+                    away_x: cython.double = x[i] + radius * u[i]
+                    away_y: cython.double = y[i] + radius * v[i]
+                    away_x = max(boxes[b, 0] - away_x, away_x - boxes[b, 1], 0.0)
+                    away_y = max(boxes[b, 2] - away_y, away_y - boxes[b, 3], 0.0)
+                    if away_x * away_x + away_y * away_y > radius * radius * NO_LESS:
+                        continue
+                begin = b * BLOCK
+                end = min(count, begin + BLOCK)
+            for j in range(begin, end):
+                dx: cython.double = x[j] - x[i]
+                dy: cython.double = y[j] - y[i]
+                inward: cython.double = u[i] * dx + v[i] * dy
+                square: cython.double = dx * dx + dy * dy
+                if inward > grazing * sqrt(square):
+                    diameter: cython.double = square / inward
+                    if diameter < best or (diameter == best and j < touched):
+                        best, touched = diameter, j
+        found[i] = touched
+        last = max(touched, 0)
+
+
 @cython.cfunc
 def _narrow(
     x: cython.double[::1],
@@ -74,13 +170,7 @@ def _narrow(
     b: cython.Py_ssize_t
     count: cython.Py_ssize_t = x.shape[0]
     bounding: cython.Py_ssize_t = 0
-    for b in range(boxes.shape[0]):
-        j = b * BLOCK
-        boxes[b, 0] = boxes[b, 1] = x[j]
-        boxes[b, 2] = boxes[b, 3] = y[j]
-        for j in range(b * BLOCK + 1, min(count, (b + 1) * BLOCK)):
-            boxes[b, 0], boxes[b, 1] = min(boxes[b, 0], x[j]), max(boxes[b, 1], x[j])
-            boxes[b, 2], boxes[b, 3] = min(boxes[b, 2], y[j]), max(boxes[b, 3], y[j])
+    _fill_boxes(x, y, boxes)
     for i in range(count):
         px: cython.double = x[i]
         py: cython.double = y[i]

@@ -8,6 +8,7 @@ from shapeblend_cli.blending.silhouettes.ground import outline, parted, rim_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.similarity import Similarity
+from shapeblend_cli.pens.recovery.balls import touching_points
 from tests.support.drawings import EVENODD, RING, drawing
 
 SIDE = 24.0
@@ -83,3 +84,14 @@ def test_outlines_keep_their_curves():
     assert not straight.any()
     assert len(segments) <= len(contours[0].contour.segments) + 1
     assert abs(cubics.signed_area(segments)) == pytest.approx(np.pi * 100.0, rel=1e-3)
+
+
+def test_the_largest_balls_are_bounded_as_when_every_point_is_tried(rng):
+    points, normals = rng.normal(size=(2, 80, 2)) @ (1.0, 1j)
+    normals /= np.abs(normals)
+    ways = points - points[:, None]
+    inward = (normals[:, None].conj() * ways).real
+    is_ahead = inward > 0.15 * np.abs(ways)
+    tried = np.where(is_ahead, np.abs(ways) ** 2 / np.where(is_ahead, inward, 1.0), np.inf)
+    assert (touching_points(points, normals, 0.15) == tried.argmin(axis=1)).all()
+    assert touching_points(points[:2], np.array([points[0] - points[1]] * 2), 0.15)[0] == -1
