@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +19,11 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
+    from shapeblend_cli.model import Polygon
+    from shapeblend_cli.options.constants import WorkConstants
     from shapeblend_cli.options.settings import Settings
+
+    Flat = tuple[Contour, Polygon]
 
 PLACES = 40
 """Number of places, evenly round its hole, at which a ring may open."""
@@ -75,34 +80,48 @@ def _opened(
     ring: PlacedContour, hole: PlacedContour, partner: PlacedContour, settings: Settings
 ) -> PlacedContour:
     """Return a ring opened where it becomes its partner with the least work; unopened if that is not much less."""
-    edge, inner = ring.polygon.vertices, hole.polygon.vertices
     if hole.area < LEAST_HOLE * ring.area:
         return ring
+    sides = (ring.contour, ring.polygon), (hole.contour, hole.polygon)
+    found = _opening(*sides, partner.polygon, NARROW * ring.size, settings.vertices, settings.constants)
+    if found is None:
+        return ring
+    outline, polygon = found
+    return ring._replace(contour=outline, polygon=polygon, is_piece=True, opened=hole.number)
+
+
+@lru_cache(maxsize=64)
+def _opening(
+    ring: Flat, hole: Flat, partner: Polygon, narrow: float, vertices: int, constants: WorkConstants
+) -> Flat | None:
+    """Return the outline of an opened ring; None if that takes not much less work.
+
+    Other pairings of the same drawings ask for the same. `narrow` is the least width of a ring.
+    """
+    edge, inner = ring[1].vertices, hole[1].vertices
     ends = np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp)
     ends = ends[np.diff(ends, prepend=-1) > 0]
     across = np.abs(edge[:, None] - inner[ends])
     starts = across.argmin(axis=0)
     widths = across.min(axis=0)
-    narrowest = max(float(widths.min()), NARROW * ring.size)
-    target = to_unit_box(partner.polygon)
+    narrowest = max(float(widths.min()), narrow)
+    target = to_unit_box(partner)
     cuts = []
     for start, end, width in zip(starts.tolist(), ends.tolist(), widths.tolist(), strict=True):
         outline = _keyhole(ring, hole, start, end)
-        polygon = flatten(outline, settings.vertices)
-        work = rough_work(to_unit_box(polygon), target, True, settings.constants)
+        polygon = flatten(outline, vertices)
+        work = rough_work(to_unit_box(polygon), target, True, constants)
         weight = 1.0 + WIDTH * max(width / narrowest - 1.0, 0.0)
         cuts.append((work * weight, work, outline, polygon))
     _, work, outline, polygon = min(cuts, key=lambda cut: cut[0])
-    closed = rough_work(to_unit_box(ring.polygon), target, True, settings.constants)
-    if not work <= CLEAR * closed < np.inf:
-        return ring
-    return ring._replace(contour=outline, polygon=polygon, is_piece=True, opened=hole.number)
+    closed = rough_work(to_unit_box(ring[1]), target, True, constants)
+    return (outline, polygon) if work <= CLEAR * closed < np.inf else None
 
 
-def _keyhole(ring: PlacedContour, hole: PlacedContour, i: int, j: int) -> Contour:
+def _keyhole(ring: Flat, hole: Flat, i: int, j: int) -> Contour:
     """Return the outer edge of a ring from its vertex i once round, and its hole from vertex j, as one outline."""
-    outer, outer_lines = run_of_segments(ring.contour, ring.polygon, i, i)
-    inner, inner_lines = run_of_segments(hole.contour, hole.polygon, j, j)
+    outer, outer_lines = run_of_segments(*ring, i, i)
+    inner, inner_lines = run_of_segments(*hole, j, j)
     there, back = cubics.line(outer[-1, 3], inner[0, 0]), cubics.line(inner[-1, 3], outer[0, 0])
     return Contour(
         np.vstack([outer, there, inner, back]),
