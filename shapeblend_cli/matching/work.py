@@ -42,6 +42,10 @@ SMOOTH_SHARE = 0.7
 """Share of bending that is measured on smoothed outlines, if they are smoothed; the outlines have the corners."""
 
 
+FEW = 32
+"""Maximum number of vertices of a wire whose angles are kept."""
+
+
 def edge_lengths(vertices: ComplexArray, closed: bool) -> FloatArray:
     """Return the length of the edge that leaves each vertex; 0 for the last of an open polygon."""
     edges = np.concatenate([vertices[1:], vertices[:1]]) - vertices
@@ -80,6 +84,21 @@ class Wire(NamedTuple):
 def _smoothed(vertices: bytes, closed: bool, sigma: float) -> ComplexArray:
     """Return `smoothed` vertices; the same polygon is matched more than once, near a path and then everywhere."""
     return smoothed(np.frombuffer(vertices, np.complex128), closed, sigma)
+
+
+def _corners(vertices: ComplexArray, smooth: ComplexArray | None, closed: bool) -> Corners:
+    """Return the angles of a wire, and of where its vertices are when it is smoothed."""
+    return Corners(vertices, closed, None if smooth is None else turns(smooth, closed))
+
+
+@lru_cache(maxsize=256)
+def _kept_corners(vertices: bytes, smooth: bytes | None, closed: bool) -> Corners:
+    """Return `_corners` of a wire of `FEW` vertices, which is compared with one after the other."""
+    some, others = (
+        None if each is None else np.frombuffer(each, np.complex128) for each in (vertices, smooth)
+    )
+    assert some is not None
+    return _corners(some, others, closed)
 
 
 class Wires:
@@ -128,8 +147,12 @@ class Wires:
 
     def _corners_of(self, side: int) -> Corners:
         wire, c = self.wires[side], self.constants
-        is_smoothed = c.smoothing and c.bending == "turn"
-        return Corners(wire.vertices, self.closed, turns(wire.smooth, self.closed) if is_smoothed else None)
+        smooth = wire.smooth if c.smoothing and c.bending == "turn" else None
+        if len(wire.vertices) > FEW:
+            return _corners(wire.vertices, smooth, self.closed)
+        return _kept_corners(
+            wire.vertices.tobytes(), None if smooth is None else smooth.tobytes(), self.closed
+        )
 
     @property
     def _corners(self) -> tuple[Corners, Corners]:
