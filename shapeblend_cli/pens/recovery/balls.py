@@ -6,7 +6,7 @@ This file is compiled by Cython and runs uncompiled as well.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -37,8 +37,20 @@ NO_LESS = cython.declare(cython.double, 1.0 + 1e-9)
 """Minimum square of the distance of such points from the ball's centre, in squares of its radius: above rounding."""
 
 
-def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> FloatArray:
+class Ample(NamedTuple):
+    """What it takes for balls to be wide enough together."""
+
+    weight: FloatArray  # (n,), of each ball
+    wide: float  # the minimum diameter of a wide one
+    enough: float  # the weight that wide ones together exceed
+
+
+def ball_diameters(
+    points: ComplexArray, normals: ComplexArray, most: float, ample: Ample | None = None
+) -> FloatArray | None:
     """Return the diameter of the largest ball inside an outline that touches it at each point, at most `most`.
+
+    None as soon as so many balls are wide that the others do not matter.
 
     A ball that touches at p, where n is the inner normal, and also holds q on its rim has the diameter
     ``|q - p|^2 / (n . (q - p))``; the largest one inside is the least of these over all other points.
@@ -50,16 +62,19 @@ def ball_diameters(points: ComplexArray, normals: ComplexArray, most: float) -> 
     normals : (n,) complex
         Unit vectors into the region.
     most : float
+    ample : Ample, optional
 
     Returns
     -------
-    (n,) float
+    (n,) float, or None
     """
     found = np.full(len(points), most)
+    weight, wide, enough = ample or Ample(np.zeros(len(points)), INFINITY, 0.0)
     arrays = (points.real, points.imag, normals.real, normals.imag)
     x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
-    _narrow(x, y, u, v, np.empty(((len(points) + BLOCK - 1) // BLOCK, 4)), found)
-    return found
+    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
+    is_ample = _narrow(x, y, u, v, boxes, weight, wide, enough, found)
+    return None if is_ample else found
 
 
 def touching_points(points: ComplexArray, normals: ComplexArray, grazing: float) -> IntArray:
@@ -158,9 +173,12 @@ def _narrow(
     u: cython.double[::1],
     v: cython.double[::1],
     boxes: cython.double[:, ::1],
+    weight: cython.double[::1],
+    wide: cython.double,
+    enough: cython.double,
     found: cython.double[::1],
-) -> None:
-    """Narrow the balls of points by each other; only points inside a ball matter.
+) -> cython.bint:
+    """Narrow the balls of points by each other, until there are enough wide ones; only points inside a ball matter.
 
     What bounds the last ball most often nearly bounds the next one, so it is looked at first. Then come the blocks that
     reach into the ball. The boxes around blocks are filled in.
@@ -170,6 +188,7 @@ def _narrow(
     b: cython.Py_ssize_t
     count: cython.Py_ssize_t = x.shape[0]
     bounding: cython.Py_ssize_t = 0
+    heavy: cython.double = 0.0
     _fill_boxes(x, y, boxes)
     for i in range(count):
         px: cython.double = x[i]
@@ -200,3 +219,8 @@ def _narrow(
                     best = square / inward
                     bounding = j
         found[i] = best
+        if best >= wide:
+            heavy += weight[i]
+            if heavy > enough:
+                return True
+    return False

@@ -20,7 +20,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges, needed
 from shapeblend_cli.model.arrays import numbered, rolled
 from shapeblend_cli.pens.line import UNITS, chains, evenly, length, part_of
-from shapeblend_cli.pens.recovery.balls import ball_diameters
+from shapeblend_cli.pens.recovery.balls import Ample, ball_diameters
 from shapeblend_cli.pens.recovery.region import Region, Stretch, checked, distance_ahead
 
 if TYPE_CHECKING:
@@ -55,6 +55,9 @@ LEAST_FREE = 0.3
 
 NEAR_WIDTH = 0.045
 """Tolerance of a ball's diameter for the pen's width, as a share of it."""
+
+LEAST_TOLERANCE = 0.01
+"""Addition to that tolerance, in units."""
 
 APART = 0.054
 """Minimum difference of the widths of two pens, as a share of the wider: a handle is hardly wider than its ring."""
@@ -122,13 +125,20 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
     if sum(float(each.sum()) for each in lengths) > MOST_SAMPLES * STEP:
         return None
     samples = _sampled(contours, lengths)
-    diameters = ball_diameters(samples.points, samples.normals, LARGEST)
-    in_corner = np.abs(diameters - samples.in_corner) < NEAR_WIDTH * diameters + 0.01
+    # Balls that are too wide for a pen, along more of the outline than may be left, decide at once.
+    most_left = (1.0 - LEAST_SHARE) * float(samples.spacing.sum()) * (1.0 + 1e-9)
+    wide = (1.0 + NEAR_WIDTH) * WIDEST + LEAST_TOLERANCE
+    diameters = ball_diameters(
+        samples.points, samples.normals, LARGEST, Ample(samples.spacing, wide, most_left)
+    )
+    if diameters is None:
+        return None
+    in_corner = np.abs(diameters - samples.in_corner) < NEAR_WIDTH * diameters + LEAST_TOLERANCE
     widths = _pen_widths(diameters, samples.spacing, ~in_corner)
     if not len(widths):
         return None
     nearest = np.abs(diameters[:, None] - widths).argmin(axis=1)
-    is_pen = np.abs(diameters - widths[nearest]) < NEAR_WIDTH * widths[nearest] + 0.01
+    is_pen = np.abs(diameters - widths[nearest]) < NEAR_WIDTH * widths[nearest] + LEAST_TOLERANCE
     is_beside = is_pen | ~(
         in_corner & (diameters < widths.max())
     )  # the corners at cut ends are all within a width
