@@ -6,6 +6,7 @@ animated into each other.
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -65,22 +66,25 @@ def _short_subpath(path: CubicPath, decimals: int) -> str:
     # All points of a command are relative to the end of the one before it.
     starts = np.concatenate([grid[:1, 0], points[:, 2]])
     offsets = points - starts[:-1, None]
-    parts = ["M", _texts(grid[:1, 0], scale)[0]]
-    last = ""
-    texts = iter(_texts(offsets.reshape(-1, 2), scale))
-    for first, second, end, is_line in zip(texts, texts, texts, path.straight.tolist(), strict=False):
-        letter = "l" if is_line else "c"
-        own = [end] if is_line else [first, second, end]
-        if letter != last:
-            parts.append(letter + own[0])
-            del own[0]
-        parts += [text if text[0] == "-" else f" {text}" for text in own]
-        last = letter
-    return "".join(parts) + ("z" if path.closed else "")
-
-
-def _texts(points: IntArray, scale: int) -> list[str]:
-    """Return points of a grid, (k, 2), as pairs of numbers."""
+    used, letters = _layout(path.straight[:count].tobytes())
     known = short_numbers(scale)
-    numbers = [known[value] for value in points.ravel().tolist()]
-    return [x + y if y[0] == "-" else f"{x} {y}" for x, y in zip(numbers[::2], numbers[1::2], strict=True)]
+    texts = [known[value] for value in offsets.reshape(-1, 2)[used].ravel().tolist()]
+    for k, letter in letters:
+        texts[k] = letter + texts[k].lstrip()
+    x, y = grid[0, 0].tolist()
+    return f"M{known[x].lstrip()}{known[y]}{''.join(texts)}{'z' if path.closed else ''}"
+
+
+@lru_cache(maxsize=64)
+def _layout(straight: bytes) -> tuple[IntArray, list[tuple[int, str]]]:
+    """Return which points of segments are written, and before which of their numbers a letter, by which are lines.
+
+    All waypoints of a path have the same.
+    """
+    is_line = np.frombuffer(straight, np.bool_)
+    is_used = np.ones((len(is_line), 3), np.bool_)
+    is_used[is_line, :2] = False
+    first = np.cumsum(np.where(is_line, 2, 6)) - np.where(is_line, 2, 6)
+    begins = np.append(True, is_line[1:] != is_line[:-1])[: len(is_line)]
+    letters = ["l" if line else "c" for line in is_line[begins].tolist()]
+    return np.flatnonzero(is_used), list(zip(first[begins].tolist(), letters, strict=True))

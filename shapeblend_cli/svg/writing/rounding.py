@@ -53,7 +53,7 @@ def on_grid(points: ComplexArray, scale: int) -> IntArray:
 
 
 class _ShortNumbers(dict[int, str]):
-    """Numbers of units of 1 / `scale` without needless zeros, as far as they were asked for."""
+    """Texts of numbers, see `short_numbers`, as far as they were asked for."""
 
     def __init__(self, scale: int) -> None:
         super().__init__()
@@ -65,11 +65,14 @@ class _ShortNumbers(dict[int, str]):
         whole, rest = divmod(abs(value), self._scale)
         decimals = str(rest + self._scale)[1:].rstrip("0") if rest else ""
         digits = (str(whole) if whole or not decimals else "") + (f".{decimals}" if decimals else "")
-        self[value] = text = f"-{digits}" if value < 0 else digits
+        self[value] = text = f"-{digits}" if value < 0 else f" {digits}"
         return text
 
 
 @cache
 def short_numbers(scale: int) -> Mapping[int, str]:
-    """Return the texts of numbers of units of 1 / `scale`, without needless zeros: ``.5`` rather than ``0.5``."""
+    """Return the texts of numbers of units of 1 / `scale`, without needless zeros: ``.5`` rather than ``0.5``.
+
+    Those without a sign begin with a blank, which parts them from what is before them.
+    """
     return _ShortNumbers(scale)
