@@ -23,7 +23,7 @@ else:
     from math import ceil, sqrt
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray, Polygon
 
 COMPILED = cython.compiled
 
@@ -284,3 +284,82 @@ def _find_directions(segments: cython.const[cython.double][:, ::1], found: cytho
                     found[end, 2 * k] = -x / length if end else x / length
                     found[end, 2 * k + 1] = -y / length if end else y / length
                     break
+
+
+def fill_edge_parts(
+    segments: ComplexArray,
+    polygon: Polygon,
+    coincident: float,
+    segment: IntArray,
+    start: FloatArray,
+    end: FloatArray,
+) -> None:
+    """Fill in the segment on which each edge of a contour's polygon lies, and its parameters there, from and to.
+
+    Parameters
+    ----------
+    segments : (k, 4) complex
+    polygon : Polygon
+    coincident : float
+        Maximum extent of a segment that is a point and has no edge, as a share of the contour's.
+    segment, start, end : (e,) int and float
+        As many as edges.
+    """
+    before = np.empty(len(segments), np.intp)
+    _find_real_before(_coordinates(segments), coincident, before)
+    _fill_edge_parts(polygon.segment, polygon.parameter, polygon.closed, before, segment, start, end)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def _find_real_before(
+    segments: cython.const[cython.double][:, ::1], coincident: cython.double, before: cython.Py_ssize_t[::1]
+) -> None:
+    """Find the segment before each that is more than a point, before the first one the last."""
+    k: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    size: cython.double = 0.0
+    for k in range(segments.shape[0]):
+        for i in range(4):
+            x: cython.double = segments[k, 2 * i] - segments[0, 0]
+            y: cython.double = segments[k, 2 * i + 1] - segments[0, 1]
+            size = max(size, x * x + y * y)
+    size = coincident * sqrt(size)
+    last: cython.Py_ssize_t = 0
+    for _ in range(2):
+        for k in range(segments.shape[0]):
+            before[k] = last
+            extent: cython.double = 0.0
+            for i in range(1, 4):
+                x = segments[k, 2 * i] - segments[k, 0]
+                y = segments[k, 2 * i + 1] - segments[k, 1]
+                extent = max(extent, x * x + y * y)
+            if sqrt(extent) > size:
+                last = k
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def _fill_edge_parts(
+    own_segment: cython.const[cython.Py_ssize_t][::1],
+    parameter: cython.const[cython.double][::1],
+    closed: cython.bint,
+    before: cython.const[cython.Py_ssize_t][::1],
+    segment: cython.Py_ssize_t[::1],
+    start: cython.double[::1],
+    end: cython.double[::1],
+) -> None:
+    """Fill in the segments and parameters of edges, given those of vertices, and the segment before each segment."""
+    k: cython.Py_ssize_t
+    vertices: cython.Py_ssize_t = own_segment.shape[0]
+    count: cython.Py_ssize_t = segment.shape[0]
+    for k in range(count):
+        following: cython.Py_ssize_t = k + 1 if k + 1 < vertices else 0
+        # An edge that ends at a node lies on the segment before it.
+        at_node: cython.bint = parameter[following] == 0.0
+        segment[k] = before[own_segment[following]] if at_node else own_segment[following]
+        start[k] = parameter[k] if segment[k] == own_segment[k] else 0.0
+        end[k] = 1.0 if at_node else parameter[following]
+    for k in range(count):
+        if segment[k + 1 if k + 1 < count else 0] != segment[k] or (k == count - 1 and not closed):
+            end[k] = 1.0

@@ -112,23 +112,10 @@ def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray
 
     There are as many edges as vertices if closed, else one less. Segments that are a point have none.
     """
-    segments, closed = contour.segments, polygon.closed
-    count = len(polygon.vertices) if closed else len(polygon.vertices) - 1
-    following = (np.arange(count) + 1) % len(polygon.vertices)
-    segment = polygon.segment[following].copy()
-    at_node = polygon.parameter[following] == 0.0
-    if at_node.any():
-        # An edge that ends at a node lies on the segment before it.
-        size = float(np.abs(segments - segments[0, 0]).max())
-        extent = np.abs(segments - segments[:, :1]).max(axis=1)
-        real = np.flatnonzero(extent > COINCIDENT * size)
-        segment[at_node] = real[np.searchsorted(real, segment[at_node], side="left") - 1]
-    start = np.where(segment == polygon.segment[:count], polygon.parameter[:count], 0.0)
-    end = np.where(at_node, 1.0, polygon.parameter[following])
-    changes = rolled(segment, -1) != segment
-    if not closed:
-        changes[-1:] = True
-    return segment, start, np.where(changes, 1.0, end)
+    count = len(polygon.vertices) if polygon.closed else len(polygon.vertices) - 1
+    found = np.empty(count, np.intp), np.empty(count), np.empty(count)
+    cubics.fill_edge_parts(contour.segments, polygon, COINCIDENT, *found)
+    return found
 
 
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
