@@ -134,18 +134,18 @@ def _found_cuts(moving: Moving, begin: float, until: float, finer: float) -> Seq
     def at(t: float) -> ComplexArray:
         return np.concatenate(segments_at(shape, t))
 
-    def cut(low: float, high: float, depth: int) -> list[float]:
-        """Return the times at which an interval is to be cut."""
+    def deviates(low: float, high: float) -> bool:
+        """Return whether a straight step between two times is off by too much at a quarter of it."""
         first, ahead = at(low), at(high) - at(low)
-        expect(shape, (low + u * (high - low) for u in (0.25, 0.5, 0.75)))
         off = (np.abs(first + u * ahead - at(low + u * (high - low))).max() for u in (0.5, 0.25, 0.75))
-        if depth == 0 or all(one <= most for one in off):
-            return []
-        middle = 0.5 * (low + high)
-        return [*cut(low, middle, depth - 1), middle, *cut(middle, high, depth - 1)]
+        return not all(one <= most for one in off)
 
     knots = [t for t in getattr(shape.motion, "knots", ()) if begin < t < until]
-    found = []
-    for low, high in pairwise([begin, *knots, until]):
-        found += [*cut(low, high, halvings), high]
-    return found[:-1]
+    found = list(knots)
+    steps = list(pairwise([begin, *knots, until]))
+    for _ in range(halvings):
+        expect(shape, (low + u * (high - low) for low, high in steps for u in (0.25, 0.5, 0.75)))
+        cut = [(low, 0.5 * (low + high), high) for low, high in steps if deviates(low, high)]
+        found += [middle for _, middle, _ in cut]
+        steps = [step for times in cut for step in pairwise(times)]
+    return sorted(found)
