@@ -240,6 +240,8 @@ def _locked_plan(contents: Contents, swap: bool) -> Iterator[_Plan]:
 
 def _make(folder: Path, target: Path, ends: ExitStack) -> None:
     """Make a folder and those that it is in; in the end they go again, unless there is anything in them."""
+    if os.path.lexists(folder):
+        return
     for each in (*reversed(folder.parents), folder):
         if not os.path.lexists(each):
             try:
