@@ -78,10 +78,14 @@ class Record:
 
     options: ClassVar[dict[str, Option]] = {}
     given: dict[str, Any]  # as it was given
+    _names: ClassVar[dict[str, str]] = {}  # of fields, by key
+    _usual: ClassVar[dict[str, Any]] = {}  # default values
 
     def __init_subclass__(cls, section: str = "") -> None:
         own = {name: o.named(name, section) for name, o in vars(cls).items() if isinstance(o, Option)}
         cls.options = cls.options | own
+        cls._names = {option.key: name for name, option in cls.options.items()}
+        cls._usual = {name: option.default for name, option in cls.options.items()}
         attributes = (f"{name} : {cls.__annotations__[name]}\n    {o.help}" for name, o in own.items())
         summary = (cls.__doc__ or "").replace("\n    ", "\n").strip()
         cls.__doc__ = "\n".join((f"{summary}\n\nAttributes\n----------", *attributes))
@@ -96,13 +100,12 @@ class Record:
         self.__dict__.update(self._defaults(values) | values, given=given)
 
     def _defaults(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        return {name: option.default for name, option in self.options.items()}
+        return self._usual
 
     @classmethod
     def _by_name(cls, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return values by the names of fields, where they may have been given by keys: ``ks`` is ``k_s``."""
-        names = {option.key: name for name, option in cls.options.items()}
-        return {name if name in cls.options else names.get(name, name): x for name, x in values.items()}
+        return {name if name in cls.options else cls._names.get(name, name): x for name, x in values.items()}
 
     @classmethod
     def of(cls, values: Mapping[str, Any]) -> Self:
