@@ -99,13 +99,27 @@ def _arg(z: ComplexArray) -> FloatArray:
 
 def _edges_at(vertices: ComplexArray, closed: bool) -> tuple[ComplexArray, ComplexArray]:
     """Return B and F of each vertex, see `Corners`."""
-    last = len(vertices) - 1
-    fwd = np.concatenate([vertices[1:], vertices[:1]]) - vertices
-    back = np.concatenate([vertices[last:], vertices[:last]]) - vertices
+    back, fwd = np.empty((2, len(vertices)), np.complex128)
+    _fill_edges(np.ascontiguousarray(vertices, np.complex128), closed, back, fwd)
+    return back, fwd
+
+
+@cython.cfunc
+def _fill_edges(
+    vertices: cython.const[cython.doublecomplex][::1],
+    closed: cython.bint,
+    back: cython.doublecomplex[::1],
+    fwd: cython.doublecomplex[::1],
+) -> None:
+    """Fill in B and F of each vertex."""
+    k: cython.Py_ssize_t
+    last: cython.Py_ssize_t = vertices.shape[0] - 1
+    for k in range(last + 1):
+        back[k] = vertices[k - 1 if k > 0 else last] - vertices[k]
+        fwd[k] = vertices[k + 1 if k < last else 0] - vertices[k]
     if not closed:
         fwd[last] = -back[last]
         back[0] = -fwd[0]
-    return back, fwd
 
 
 def _theta(back: ComplexArray, fwd: ComplexArray) -> FloatArray:

@@ -32,15 +32,35 @@ if TYPE_CHECKING:
 
 COMPILED = cython.compiled
 
-FLAT = 0.02
+FLAT = cython.declare(cython.double, 0.02)
 """Minimum height of a box, as a share of its width, and the other way round."""
 
 
 def places(vertices: ComplexArray) -> ComplexArray:
     """Return where points are in their box, made the unit square axis by axis."""
-    x, y = vertices.real - vertices.real.min(), vertices.imag - vertices.imag.min()
-    least = FLAT * max(x.max(), y.max())
-    return x / max(x.max(), least) + 1j * (y / max(y.max(), least))
+    found = np.empty(len(vertices), np.complex128)
+    _fill_places(np.ascontiguousarray(vertices, np.complex128), found.view(np.float64))
+    return found
+
+
+@cython.cfunc
+def _fill_places(vertices: cython.const[cython.doublecomplex][::1], found: cython.double[::1]) -> None:
+    """Fill in x and y of places by turns."""
+    k: cython.Py_ssize_t
+    left: cython.double = vertices[0].real
+    top: cython.double = vertices[0].imag
+    right: cython.double = left
+    bottom: cython.double = top
+    for k in range(vertices.shape[0]):
+        left, right = min(left, vertices[k].real), max(right, vertices[k].real)
+        top, bottom = min(top, vertices[k].imag), max(bottom, vertices[k].imag)
+    width: cython.double = right - left
+    height: cython.double = bottom - top
+    least: cython.double = FLAT * max(width, height)
+    width, height = max(width, least), max(height, least)
+    for k in range(vertices.shape[0]):
+        found[2 * k] = (vertices[k].real - left) / width
+        found[2 * k + 1] = (vertices[k].imag - top) / height
 
 
 @cython.final
