@@ -1,4 +1,4 @@
-"""Rings that become an outline without a hole: they open where that takes the least work, as an O becomes a C."""
+"""Rings that become an outline with a hole less: they open where that takes the least work, as an O becomes a C."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from shapeblend_cli.geometry.cutting import run_of_segments
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.model import Contour
+from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.wires.rough import rough_work
 
 if TYPE_CHECKING:
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 PLACES = 40
 """Number of places, evenly round its hole, at which a ring may open."""
 
-LEAST_HOLE = 0.15
+LEAST_HOLE = 0.04
 """Minimum area of a ring's hole, as a share of the area within the outer edge."""
 
 WIDTH = 0.5
@@ -51,7 +52,7 @@ def open_rings(
     settings: Settings,
     required: Mapping[int, int],
 ) -> list[ContourPair]:
-    """Open paired rings whose partner has no hole, if that takes far less work. Return all pairs.
+    """Open paired rings whose partner has a hole less, if that takes far less work. Return all pairs.
 
     An opened ring has the number of its outer edge, and its hole is part of it. Rings with a stroke, which would show
     the cut, rings of required pairs, B's numbers by A's, and those of a crowd stay closed.
@@ -67,13 +68,21 @@ def open_rings(
         )
         is_plain = all(one.style.fill is not None and one.style.stroke is None for one in (p, q))
         is_free = p.role == q.role == EXTERIOR and required.get(p.number) != q.number
-        if is_plain and is_free and len(inner_a) + len(inner_b) == 1:
-            if inner_a:
-                p = _opened(p, inner_a[0], q, settings)
+        more = len(inner_a) - len(inner_b)
+        if is_plain and is_free and abs(more) == 1:
+            if more > 0:
+                p = _opened(p, _without_partner(inner_a, inner_b), q, settings)
             else:
-                q = _opened(q, inner_b[0], p, settings)
+                q = _opened(q, _without_partner(inner_b, inner_a), p, settings)
         opened.append((p, q))
     return opened
+
+
+def _without_partner(holes: Sequence[PlacedContour], others: Sequence[PlacedContour]) -> PlacedContour:
+    """Return the hole that is left when the others of a ring become as many holes, by places and sizes."""
+    away = np.array([[abs(p.centre - q.centre) + abs(p.size - q.size) for q in others] for p in holes])
+    taken = {i for i, _ in assign(away)} if others else set()
+    return next(hole for k, hole in enumerate(holes) if k not in taken)
 
 
 def _opened(

@@ -60,7 +60,7 @@ def pair_contours(
         pairing.from_outermost_in()
         pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
         if settings.unmatched != "point":
-            pairs = _with_pieces(a, b, pairs, fixed, settings)
+            pairs = _with_pieces(a, b, pairs, fixed, dict(required), settings)
     return sorted(pairs, key=lambda pair: pair[0].number)
 
 
@@ -106,12 +106,13 @@ def _with_pieces(
     b: Sequence[PlacedContour],
     pairs: Sequence[ContourPair],
     fixed: dict[int, int],
+    required: dict[int, int],
     settings: Settings,
 ) -> list[ContourPair]:
     """Split exteriors for those without a partner, open rings, and pair the holes of pieces anew."""
     outer = [pair for pair in pairs if pair[0].role != HOLE]
     split = split_exteriors(a, b, outer, settings, fixed)
-    split = open_rings(a, b, split, settings, fixed)
+    split = open_rings(a, b, split, settings, required)
     before = {(p.number, q.number) for p, q in outer}
     cut = [(p, q) for p, q in split if p.is_piece or q.is_piece or (p.number, q.number) not in before]
     if not cut:

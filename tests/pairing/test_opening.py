@@ -67,3 +67,20 @@ def test_it_can_be_left_closed():
     (shape,) = blend(RING, CUP, unmatched="point")
     assert len(shape.contours) == 2
     assert Settings().unmatched == "auto"
+
+
+SHACKLE = "M6 10V7A6 6 0 0 1 18 7V10H20V22H4V10Z"
+OPENING = "M8 10H16V7A4 4 0 0 0 8 7Z"
+KEYHOLE = "M11 15H13V18H11Z"
+UNLOCKED = "M5 11V7A6 6 0 0 1 17 6L15 7A4 4 0 0 0 7 7V11H21V21H3V11Z"
+
+
+@pytest.mark.parametrize("keyhole", ["", KEYHOLE, "M10 14H14V18H10Z"])
+def test_one_of_the_holes_opens(keyhole):
+    locked, unlocked = SHACKLE + OPENING + KEYHOLE * bool(keyhole), UNLOCKED + keyhole
+    for a, b in ((locked, unlocked), (unlocked, locked)):
+        (shape,) = blend(a, b)
+        assert all(contour.is_matched for contour in shape.contours)
+        assert len(shape.contours) == 1 + bool(keyhole)
+        areas = [abs(cubics.signed_area(paths_at(shape, t)[0].segments)) for t in np.linspace(0, 1, 11)]
+        assert max(areas) < 1.05 * max(areas[0], areas[-1])
