@@ -29,8 +29,14 @@ if TYPE_CHECKING:
 PLACES = 40
 """Number of places, evenly round its hole, at which a ring may open."""
 
-LEAST_HOLE = 0.04
+LEAST_HOLE = 0.15
 """Minimum area of a ring's hole, as a share of the area within the outer edge."""
+
+LEAST_LOOP = 0.04
+"""Minimum area of a hole in a loop, in the same measure, such as the shackle of a padlock."""
+
+LOOP = 0.45
+"""Maximum width of a loop at its narrowest, in sizes of its hole."""
 
 WIDTH = 0.5
 """Additional weight of the work at a place where a ring is twice as wide as at its narrowest."""
@@ -89,10 +95,11 @@ def _opened(
     ring: PlacedContour, hole: PlacedContour, partner: PlacedContour, settings: Settings
 ) -> PlacedContour:
     """Return a ring opened where it becomes its partner with the least work; unopened if that is not much less."""
-    if hole.area < LEAST_HOLE * ring.area:
+    if hole.area < LEAST_LOOP * ring.area:
         return ring
     sides = (ring.contour, ring.polygon), (hole.contour, hole.polygon)
-    found = _opening(*sides, partner.polygon, NARROW * ring.size, settings.vertices, settings.constants)
+    widths = NARROW * ring.size, LOOP * hole.size if hole.area < LEAST_HOLE * ring.area else np.inf
+    found = _opening(*sides, partner.polygon, widths, settings.vertices, settings.constants)
     if found is None:
         return ring
     outline, polygon = found
@@ -101,11 +108,17 @@ def _opened(
 
 @lru_cache(maxsize=64)
 def _opening(
-    ring: Flat, hole: Flat, partner: Polygon, narrow: float, vertices: int, constants: WorkConstants
+    ring: Flat,
+    hole: Flat,
+    partner: Polygon,
+    limits: tuple[float, float],
+    vertices: int,
+    constants: WorkConstants,
 ) -> Flat | None:
     """Return the outline of an opened ring; None if that takes not much less work.
 
-    Other pairings of the same drawings ask for the same. `narrow` is the least width of a ring.
+    Other pairings of the same drawings ask for the same. `limits` are the least width that counts, and the largest
+    width of the ring where it is narrowest.
     """
     edge, inner = ring[1].vertices, hole[1].vertices
     ends = np.linspace(0, len(inner), PLACES, endpoint=False).astype(np.intp)
@@ -113,7 +126,9 @@ def _opening(
     across = np.abs(edge[:, None] - inner[ends])
     starts = across.argmin(axis=0)
     widths = across.min(axis=0)
-    narrowest = max(float(widths.min()), narrow)
+    if widths.min() > limits[1]:
+        return None
+    narrowest = max(float(widths.min()), limits[0])
     target = to_unit_box(partner)
     cuts = []
     for start, end, width in zip(starts.tolist(), ends.tolist(), widths.tolist(), strict=True):
