@@ -11,8 +11,9 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
-from shapeblend_cli.blending.paced import KEPT, with_parts_paced
 from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
+from shapeblend_cli.blending.parts.faded import with_details_faded
+from shapeblend_cli.blending.parts.paced import KEPT, with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
@@ -127,7 +128,7 @@ def blend_shapes(
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     outlined = with_outlines(a, b, settings, view)
     if not all(map(is_plain, outlined)):
-        return shapes
+        return with_details_faded(shapes, view.larger_side)
     return _as_silhouettes(*outlined, settings, view, progress, shapes)
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect
 from shapeblend_cli.blending.matched import pair_drawings
-from shapeblend_cli.blending.paced import with_parts_paced
 from shapeblend_cli.blending.pairings import partners_in
+from shapeblend_cli.blending.parts.paced import with_parts_paced
 from shapeblend_cli.blending.plates.inverted import is_plain
 from shapeblend_cli.pairing.costs import Rates
 

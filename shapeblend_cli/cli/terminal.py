@@ -241,7 +241,8 @@ def _length(output: OutputSpec) -> str:
 
 def details(run: Run, began: float | None) -> Iterator[str]:
     """Yield the details of a run and its times, with the start of its process if that `began` for it."""
-    for c in (contour for pair in run.pairs for contour in pair.contours):
+    shapes = [shape for pair in run.pairs for shape in pair.each_shape]
+    for c, reason in ((c, shape.reason) for shape in shapes for c in shape.contours):
         found = c.correspondence
         if c.a is None or c.b is None:
             name = f"contour {c.a} of A" if c.b is None else f"contour {c.b} of B"
@@ -249,7 +250,7 @@ def details(run: Run, began: float | None) -> Iterator[str]:
             spot = (c.polygon_b if c.b is None else c.polygon_a).vertices[0]
             kind = "the point" if (c.end if c.b is None else c.start).is_point else "a line at"
             yield (
-                f"{name} has no partner and follows the edge that it lies on"
+                f"{name} has no partner and {reason.removeprefix('it ')}"
                 if c.follows_edge
                 else f"{name} {change} {kind} {spot.real:.6g},{spot.imag:.6g}"
             )

@@ -220,7 +220,7 @@ class ContourBlend(NamedTuple):
 
     @property
     def follows_edge(self) -> bool:
-        """Whether it has no partner and yet is no point at either end, since it follows the edge on which it lies."""
+        """Whether it has no partner and yet is no point at either end, since it goes along with what it lies on."""
         return not self.is_matched and min(len(self.polygon_a.vertices), len(self.polygon_b.vertices)) > 1
 
     def dot_points(self) -> tuple[ComplexArray, ComplexArray]:

@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.motion.choose import FOLLOWS
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
 from tests.support.contours import furthest, polyline
@@ -110,6 +111,6 @@ def test_a_stroke_that_leaves_the_edge_follows_it_if_most_of_it_lies_there(tail,
     a = drawing(FILL.format(LEAF), STROKE.format(f"M4 20C4 8 8 4 20 4{tail}", 1))
     b = drawing(FILL.format(DROP), STROKE.format(DROP, 1))
     (pair,), _ = match_all([a, b], Settings())
-    strokes = [c for shape in pair.shapes if shape.style_a.fill is None for c in shape.contours if c.a == 1]
-    assert strokes
-    assert all(stroke.follows_edge == follows for stroke in strokes)
+    reasons = [shape.reason for shape in pair.shapes if shape.sources[0] == 1]
+    assert reasons
+    assert all((reason == FOLLOWS) == follows for reason in reasons)
