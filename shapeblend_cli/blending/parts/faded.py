@@ -28,6 +28,9 @@ LARGE = 0.3
 REACH = 0.03
 """Maximum distance by which what lies on a body stands out of it, as a share of the view's side."""
 
+MOSTLY = 0.7
+"""Minimum share of the nodes of a part in an outline of which it is a part, as a tongue is one of the mouth."""
+
 GONE = 0.4
 """Time at which parts that leave are gone. Parts that come begin to come as long before the end."""
 
@@ -46,6 +49,11 @@ class _Part(NamedTuple):
         """Return whether the part lies in a closed outline, or stands out of it no farther than `reach`."""
         outside = self.points[winding_numbers(self.points, outline) == 0]
         return not len(outside) or bool((np.abs(outside[:, None] - outline).min(axis=1) <= reach).all())
+
+    def is_of(self, outline: ComplexArray, reach: float) -> bool:
+        """Return whether the part, or most of it, lies on a closed outline."""
+        inside = winding_numbers(self.points, outline) != 0
+        return bool(inside.mean() >= MOSTLY) or self.lies_on(outline, reach)
 
 
 class _Body(NamedTuple):
@@ -139,8 +147,11 @@ def _bodies(shapes: Sequence[ShapeBlend]) -> list[_Body]:
 def _body_of(part: _Part, bodies: Sequence[_Body], reach: float) -> _Body | None:
     """Return the body that a part lies on; None if it lies on none, or on what lies on another one, as a mouth does."""
     below = [body for body in bodies if body.number < part.number]
-    host = next((one for one in reversed(below) if part.lies_on(one.outlines(part.end)[0], reach)), None)
-    if host is None or not (host.motion is None or isinstance(host.motion, Rigid)):
+    around = (one for one in reversed(below) if part.is_of(one.outlines(part.end)[0], reach))
+    host = next(around, None)
+    if host is None or not part.lies_on(host.outlines(part.end)[0], reach):
+        return None
+    if host.motion is not None and not isinstance(host.motion, Rigid):
         return None
     itself = _Part(host.number, part.end, host.outlines(part.end)[0])
     others = (other for other in below if other.number < host.number)

@@ -67,10 +67,12 @@ def test_parts_that_are_painted_alike_go_alike():
     [
         '<path fill="#224488" d="M28 28H36V36H28Z"/>',  # small
         '<path fill="#224488" d="M18 22H46V64H18Z"/>',  # stands out
+        '<path fill="#224488" d="M24 26H44V38H38V54H30V38H24Z"/>',  # hangs out of another one
     ],
 )
 def test_others_shrink(plate):
-    pair = blend(ROUND + plate, TALL)
+    mouth = '<path fill="#660022" d="M22 24H46V40H22Z"/>'
+    pair = blend(ROUND + mouth + plate, TALL + mouth)
     assert all(shape.fade is None for shape in pair.shapes)
 
 
