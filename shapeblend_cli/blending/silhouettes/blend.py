@@ -55,11 +55,17 @@ SPACING = 0.004
 EXACT = 0.0008
 """Maximum distance of the outlines of gaps from their edges, in the same measure."""
 
-PLACE = 0.2
+PLACE = 0.25
 """Maximum distance of holes that are alike, in sizes of the drawings."""
 
 ALIKE = 0.4
 """Minimum ratio of the areas of holes that are alike."""
+
+ROUND = 0.8
+"""Minimum area of a round hole, such as an eye, as a share of that of a disc with an outline as long."""
+
+ALIKE_IF_ROUND = 0.2
+"""Minimum ratio of the areas of round holes that are alike."""
 
 MOST_CONTOURS = 60
 """Maximum number of contours of a drawing whose gaps may close."""
@@ -216,14 +222,19 @@ def _like_holes(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> list[
     for i, p in enumerate(a):
         for j, q in enumerate(b):
             apart = abs(q.centre - p.centre - away)
-            is_like = p.role == q.role == HOLE and apart <= most
-            if is_like and min(p.area, q.area) >= ALIKE * max(p.area, q.area):
+            if p.role == q.role == HOLE and apart <= most and _are_alike(p, q):
                 near.append((apart, i, j))
     pairs: list[tuple[int, int]] = []
     for _, i, j in sorted(near):
         if all(i != other and j != another for other, another in pairs):
             pairs.append((i, j))
     return pairs
+
+
+def _are_alike(p: PlacedContour, q: PlacedContour) -> bool:
+    """Return whether two holes have about the same area: round ones are alike though one is far larger."""
+    is_round = [4.0 * np.pi * hole.area >= ROUND * length(hole.polygon.line) ** 2 for hole in (p, q)]
+    return min(p.area, q.area) >= (ALIKE_IF_ROUND if all(is_round) else ALIKE) * max(p.area, q.area)
 
 
 def _wanted(sides: tuple[_Side, _Side]) -> Wanted:

@@ -180,6 +180,16 @@ def test_holes_that_are_alike_stay_open():
 
 
 @pytest.mark.usefixtures("always")
+@pytest.mark.parametrize(
+    ("shape", "count"), [("a{0} {0} 0 0 0 0 {1}a{0} {0} 0 0 0 0 -{1}z", 2), ("v{1}h{1}v-{1}z", 1)]
+)
+def test_round_holes_stay_open_though_one_is_far_larger(shape, count):
+    pair = two(*[f"{BROAD}M16 44{shape.format(size, 2 * size)}" for size in (2.5, 5.0)])
+    assert closes(pair)
+    assert sum(contour.is_matched for contour in pair.shapes[0].contours) == count
+
+
+@pytest.mark.usefixtures("always")
 def test_without_gaps_there_is_nothing_to_close():
     assert not closes(two("M4 4H60V60H4Z", "M2 20H62V50H2Z"))
 
