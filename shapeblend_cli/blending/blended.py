@@ -47,7 +47,7 @@ from shapeblend_cli.pens.line import UNITS, length
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
@@ -70,7 +70,7 @@ SOLID = 0.3
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
-MARGIN = 0.3
+MARGIN = 0.8
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
 
 

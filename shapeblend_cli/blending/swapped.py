@@ -46,10 +46,10 @@ WHOLLY = 1.5
 MOST_ALONE = 0.28
 """Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
 
-UNREADABLE = 1.55
+UNREADABLE = 1.35
 """Minimum grade of a blend of two signs, where lines that split or come and go are bent, for them to be swapped."""
 
-SENT_BACK = 1.25
+SENT_BACK = 1.2
 """Minimum grade of a blend of two signs, a line of which is bent very much, or of one that shrivels to a stroke."""
 
 UNUSABLE = 2.0

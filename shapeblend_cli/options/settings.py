@@ -178,8 +178,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
         "outline of the other drawing is cut to make a partner for it; auto: split, but only where several outlines "
-        "together fill the place of one. split and auto also open a ring whose partner has no hole, if that takes far "
-        "less work.",
+        "together fill the place of one. split and auto also open a ring whose partner has a hole less, if that takes "
+        "far less work.",
     )
     solver: str = option(
         types.choice("exact", "simplified"),

@@ -37,6 +37,6 @@ def test_letters_are_no_pen_lines_on_their_way():
 def test_letters_do_not_melt_together(monkeypatch):
     monkeypatch.setattr(silhouettes, "DETAILED", 0.0)
     monkeypatch.setattr(silhouettes, "PLAIN", 0.0)
-    monkeypatch.setattr(silhouettes, "WIDTHS", (silhouettes.Width(0.2, 0.0, -9.0, 9.0, bent=False),))
+    monkeypatch.setattr(silhouettes, "WIDTHS", (silhouettes.Width(0.2, 0.0, -9.0, 9.0, 0.0),))
     (pair,) = sb.blend(text("IA"), text("WB")).pairs
     assert all(shape.reason != silhouettes.CLOSED for shape in pair.shapes)

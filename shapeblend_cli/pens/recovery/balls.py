@@ -73,7 +73,7 @@ def ball_diameters(
     arrays = (points.real, points.imag, normals.real, normals.imag)
     x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
     boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
-    is_ample = _narrow(x, y, u, v, boxes, weight, wide, enough, found)
+    is_ample = _narrow(x, y, u, v, boxes, weight, np.array([wide, enough], np.float64), found)
     return None if is_ample else found
 
 
@@ -174,8 +174,7 @@ def _narrow(
     v: cython.double[::1],
     boxes: cython.double[:, ::1],
     weight: cython.double[::1],
-    wide: cython.double,
-    enough: cython.double,
+    limits: cython.double[::1],
     found: cython.double[::1],
 ) -> cython.bint:
     """Narrow the balls of points by each other, until there are enough wide ones; only points inside a ball matter.
@@ -183,6 +182,8 @@ def _narrow(
     What bounds the last ball most often nearly bounds the next one, so it is looked at first. Then come the blocks that
     reach into the ball. The boxes around blocks are filled in.
     """
+    wide: cython.double = limits[0]
+    enough: cython.double = limits[1]
     i: cython.Py_ssize_t
     j: cython.Py_ssize_t
     b: cython.Py_ssize_t

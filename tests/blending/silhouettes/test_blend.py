@@ -110,10 +110,10 @@ def test_points_of_the_silhouette_stay_nearer_to_their_places_if_that_looks_bett
     def graded():
         return grade_of_shapes(silhouette(two()).shapes, VIEW)
 
-    monkeypatch.setattr(rematched, "NEARER", 0.05)
+    monkeypatch.setattr(rematched, "NEARER", 0.02)
     better = graded()
     monkeypatch.setattr(rematched, "IN_PLACE", ())
-    assert better < graded() - 0.05
+    assert better < graded() - 0.02
 
 
 def test_waypoints_are_few():
