@@ -70,9 +70,7 @@ def ball_diameters(
     """
     found = np.full(len(points), most)
     weight, wide, enough = ample or Ample(np.zeros(len(points)), INFINITY, 0.0)
-    arrays = (points.real, points.imag, normals.real, normals.imag)
-    x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
-    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
+    x, y, u, v, boxes = _arrays(points, normals)
     is_ample = _narrow(x, y, u, v, boxes, weight, np.array([wide, enough], np.float64), found)
     return None if is_ample else found
 
@@ -96,11 +94,16 @@ def touching_points(points: ComplexArray, normals: ComplexArray, grazing: float)
     (n,) int
     """
     found = np.empty(len(points), np.intp)
-    arrays = (points.real, points.imag, normals.real, normals.imag)
-    x, y, u, v = (np.ascontiguousarray(each) for each in arrays)
-    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
-    _find_touching(x, y, u, v, grazing, boxes, found)
+    x, y, u, v, boxes = _arrays(points, normals)
+    _find_touching(x, y, u, v, boxes, grazing, found)
     return found
+
+
+def _arrays(points: ComplexArray, normals: ComplexArray) -> tuple[FloatArray, ...]:
+    """Return x and y of points, x and y of normals, and room for the boxes around blocks."""
+    parts = (points.real, points.imag, normals.real, normals.imag)
+    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
+    return (*map(np.ascontiguousarray, parts), boxes)
 
 
 @cython.cfunc
@@ -124,8 +127,8 @@ def _find_touching(
     y: cython.double[::1],
     u: cython.double[::1],
     v: cython.double[::1],
-    grazing: cython.double,
     boxes: cython.double[:, ::1],
+    grazing: cython.double,
     found: cython.Py_ssize_t[::1],
 ) -> None:
     """Find the balls of points: first that by what bounds the last one, then by blocks that reach into the ball."""
