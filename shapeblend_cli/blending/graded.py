@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.swapped import is_swapped
@@ -39,9 +40,28 @@ def grade_of(pair: Pair) -> Grade:
     return Grade(SWAP_GRADE, None) if is_swapped(pair.shapes) else grade(_strip(pair))
 
 
+class _Same:
+    """Shapes that are equal to themselves only."""
+
+    def __init__(self, shapes: tuple[ShapeBlend, ...]) -> None:
+        self.shapes = shapes
+
+    def __hash__(self) -> int:
+        return id(self.shapes)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and self.shapes is other.shapes
+
+
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return the grade of some shapes alone in a view, by which blends of them compare."""
-    return grade_of(Pair(0, 1, tuple(shapes), ((), ()), (view, view))).number
+    return _grade_alone(_Same(tuple(shapes)), view)
+
+
+@lru_cache(maxsize=4)
+def _grade_alone(same: _Same, view: Box) -> float:
+    """Return `grade_of_shapes`: of the usual blend it is asked wherever another one is tried."""
+    return grade_of(Pair(0, 1, same.shapes, ((), ()), (view, view))).number
 
 
 def _strip(pair: Pair) -> list[PictureArray]:
