@@ -180,7 +180,7 @@ def _in_outlines(
     yield a, b
     if pens is None or not any(pen.bodies for pen in pens):
         return
-    from shapeblend_cli.pens.moves import is_slash  # many drawings have no lines
+    from shapeblend_cli.pens.slashes import is_slash  # many drawings have no lines
 
     if any(is_slash(line) for pen in pens for line in pen.lines):
         outlined = all_outlines(a, b, settings, view)

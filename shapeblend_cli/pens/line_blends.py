@@ -20,14 +20,12 @@ from shapeblend_cli.pens.moves import (
     Move,
     alone,
     becoming,
-    crossing_out,
-    is_slash,
-    slash_among,
     staying,
     thinned,
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work_turned, travelling
+from shapeblend_cli.pens.slashes import crossing_out, is_slash, slash_among
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
 from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned

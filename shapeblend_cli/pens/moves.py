@@ -31,7 +31,6 @@ from shapeblend_cli.pens.line import (
     at,
     corners,
     each_once,
-    evenly,
     foot_points,
     length,
     lengths_along,
@@ -85,21 +84,6 @@ EVEN = 0.05
 
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
-
-LEAST_SLASH = 11.0
-"""Minimum length of a slash, in units."""
-
-STRAIGHT = 0.99
-"""Minimum distance of a slash's ends, as a share of its length."""
-
-LEAST_KEPT = 0.4
-"""Minimum share of a drawing that stays for a line to cross it out."""
-
-GAP_REACH = 2.5
-"""Maximum distance of the gap along a slash from it, in widths."""
-
-LEAST_TIME = 0.2
-"""Minimum time in which a line is drawn back from a slash, or on to it, as a share."""
 
 
 class Move(NamedTuple):
@@ -443,19 +427,6 @@ def _carried(move: Move, carrier: tuple[Pen, ComplexArray], place: complex) -> M
     return move._replace(motion=Pen((riding,)))
 
 
-def is_slash(line: PenLine) -> bool:
-    """Return whether a line is straight, crosses much of the drawing, and slants."""
-    chord = complex(line.points[-1] - line.points[0])
-    slope = abs(chord.real) / max(abs(chord.imag), 1e-9)
-    return line.length > LEAST_SLASH and abs(chord) > STRAIGHT * line.length and 0.3 < slope < 3.3
-
-
-def slash_among(a: Sequence[PenLine], b: Sequence[PenLine], kept: float) -> tuple[int, int] | None:
-    """Return the drawing and the index of the one slash among lines that do not stay, where much else stays."""
-    found = [(side, k) for side, lines in enumerate((a, b)) for k, line in enumerate(lines) if is_slash(line)]
-    return found[0] if len(found) == 1 and kept >= LEAST_KEPT else None
-
-
 def drawn(line: PenLine, points: ComplexArray, *, is_new: bool, is_early: bool = False) -> Move:
     """Draw a line on from the first of its points, or back to it, beside all others."""
     pen = Pen((Drawing(points, *((0.0, 1.0) if is_new else (1.0, 0.0))),))
@@ -463,31 +434,3 @@ def drawn(line: PenLine, points: ComplexArray, *, is_new: bool, is_early: bool =
     return Move(
         None if is_new else line, line if is_new else None, pen, reason, is_joined=False, is_early=is_early
     )
-
-
-def crossing_out(slash: PenLine, moves: Sequence[Move], *, is_new: bool) -> list[Move]:
-    """Draw a slash on, or back, and the ends of other lines where it goes, as its tip comes by."""
-    points = slash.outline
-    if points[0].real > points[-1].real:  # as one writes
-        points = points[::-1]
-    own = drawn(slash, points, is_new=is_new)
-    paced = []
-    for move in moves:
-        tails = [tail and _paced(tail, points, slash.width, is_new=is_new) for tail in move.motion.tails]
-        paced.append(move._replace(motion=move.motion._replace(tails=(tails[0], tails[1]))))
-    return [*paced, own]
-
-
-def _paced(tail: Moving, slash: ComplexArray, width: float, *, is_new: bool) -> Moving:
-    """Draw a tail back as the tip of a new slash comes by, or on as that of an old one leaves."""
-    goes = isinstance(tail, Drawing) and tail.until < tail.begin
-    if not isinstance(tail, Drawing) or goes != is_new:
-        return tail
-    sampled = evenly(tail.line, 0.2)
-    away, along, _ = foot_points(sampled, slash)
-    if away.min() > GAP_REACH * width:
-        return tail
-    whole = length(slash)
-    time = min(max(LEAST_TIME, length(tail.line) / whole), 1.0)
-    begin = min(float(along[int(away.argmin())]) / whole, 1.0 - time)
-    return tail._replace(span=(begin, begin + time) if is_new else (1.0 - begin - time, 1.0 - begin))

@@ -16,7 +16,8 @@ from shapeblend_cli.pairing.growth import MatchedPoints, carried
 from shapeblend_cli.pens.drawings import file_line, recovered_lines
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import without_dots
-from shapeblend_cli.pens.moves import SHORT, STRAIGHT, Move, alone, crossing_out, is_slash
+from shapeblend_cli.pens.moves import SHORT, Move, alone
+from shapeblend_cli.pens.slashes import STRAIGHT, crossing_out, is_slash
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
