@@ -62,7 +62,7 @@ BESIDE_ROWS = 4
 REACH = 1.6
 """Maximum distance of what is cut away from the slash, in thicknesses: the gap on either side."""
 
-LEAST_SIDE = 0.04
+LEAST_SIDE = 0.02
 """Minimum share of the drawing on each side of the slash and its gap."""
 
 MOST_WRONG = 0.42

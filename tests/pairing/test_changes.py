@@ -158,6 +158,13 @@ def test_other_bars_cross_nothing_out(parts):
     assert "sweep" not in {shape.motion_name for shape in pair.shapes}
 
 
+def test_a_slash_may_leave_little_of_a_drawing_on_its_other_side():
+    whole = "M9 3H15V12H9Z M5 10.5H7V13H17V10H19V15H13V17H11V15H5Z"
+    crossed = "M9 3H15V12H13.5L9 7.5Z M17 10H19V15H16.5L14.5 13H17Z M5 10.5H7V13H10.2L12.2 15H13V17H11V15H5Z"
+    pair = pair_of(whole, f"{crossed} M1.4 4.2L2.8 2.8L21.2 21.2L19.8 22.6Z", strokes="auto")
+    assert [shape.motion_name for shape in pair.shapes] == ["sweep"]
+
+
 def test_a_sign_beside_other_changes_grows_from_its_middle():
     pair = pair_of(LOCK, UNLOCKED + "M11 13V19H15V13Z")
     boxes = [Box.around(path.segments) for path in shapes_at(pair, 0.5)[0].paths]
