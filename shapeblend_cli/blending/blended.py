@@ -260,6 +260,8 @@ def _are_too_unlike(
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
+    if any(shape.style_a.stroke_width == 0.0 or shape.style_b.stroke_width == 0.0 for shape in shapes):
+        shapes = tuple(map(_in_full_width, shapes))  # the judge takes thin lines for spikes
     if min(first.share, last.share) >= MOSTLY:
         bent = most_bent(shapes)
         if bent >= CURVED and grade_of_shapes(shapes, view) >= UNUSABLE - PER_RADIAN * bent:
@@ -275,6 +277,13 @@ def _are_too_unlike(
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
     return outlines > DETAILED * view.larger_side and grade_of_shapes(shapes, view) >= SENT_BACK
+
+
+def _in_full_width(shape: ShapeBlend) -> ShapeBlend:
+    """Return a line that does not thicken as it comes, nor thin as it goes."""
+    if not shape.style_a.stroke_width:
+        return shape._replace(style_a=shape.style_b)
+    return shape if shape.style_b.stroke_width else shape._replace(style_b=shape.style_a)
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

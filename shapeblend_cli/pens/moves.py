@@ -59,6 +59,9 @@ UNCUT = 0.98
 EARLY = 0.4
 """Time that a line that touches no other goes before the end, or comes after the start, as a share of all time."""
 
+SOON = 0.35
+"""Time in which a line thickens or thins while others change, as a share of all time."""
+
 CHANGES = 1.0
 """Minimum mean distance that places of a line move, beside its shift, for what touches it to leave early, in units."""
 
@@ -85,6 +88,12 @@ EVEN = 0.05
 SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
+STUBBY = 1.95
+"""Maximum length of a line that thickens as it comes, in widths: drawn on in its full width, a dot would pop up."""
+
+CROSSES = 3.2
+"""The same for a ring, and for a line through the middle of another one, as in a plus."""
+
 
 class Move(NamedTuple):
     """A line on its way, in units.
@@ -98,13 +107,15 @@ class Move(NamedTuple):
     reason: str
     is_joined: bool = True  # whether what comes or goes ends at another line
     is_early: bool = False  # whether it goes before the others have moved, or comes after
+    thickens: bool = False  # whether it grows from a thin line as it comes, or thins as it goes
 
     @property
     def span(self) -> tuple[float, float]:
         """The times of its start and its end."""
         if (self.a is not None and self.b is not None) or not self.is_early:
             return 0.0, 1.0
-        return (0.0, 1.0 - EARLY) if self.b is None else (EARLY, 1.0)
+        time = SOON if self.thickens else 1.0 - EARLY
+        return (1.0 - EARLY - time, 1.0 - EARLY) if self.b is None else (EARLY, EARLY + time)
 
     def _part(self, line: PenLine, points: ComplexArray) -> LinePart:
         """Return which part of a line its points at an end are."""
@@ -133,7 +144,10 @@ class Move(NamedTuple):
             style_b = style_b._replace(stroke_miterlimit=1.0)
         style_a, style_b = with_dashes((style_a, style_b), (line_a, line_b), points, scale)
         fade = None
-        if not self.is_joined:
+        if self.thickens:
+            thin = (style_a if self.b else style_b)._replace(stroke_width=0.0)
+            style_a, style_b = (style_a, thin) if self.a else (thin, style_b)
+        elif not self.is_joined:
             fade = GOES if self.a else COMES
         numbers = self.a and self.a.contour, self.b and self.b.contour
         contour = contour_blend(numbers, ends, motion.closed, constants)
@@ -328,9 +342,10 @@ def alone(
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)
     is_early = has_bodies or any(map(_changes, carriers))  # what rests leaves all of the time
 
-    def moving(motion: Moving, *, closed: bool = False, **options: bool) -> Move:
+    def moving(motion: Moving, *, closed: bool = False, most: float = STUBBY, **options: bool) -> Move:
         pen, reason = Pen((motion,), closed=closed), DRAWN_ON if is_new else DRAWN_BACK
-        return Move(None if is_new else line, line if is_new else None, pen, reason, **options)
+        move = Move(None if is_new else line, line if is_new else None, pen, reason, **options)
+        return move._replace(thickens=not move.is_joined and line.length < most * line.width)
 
     if line.closed and _surrounds(line, [own for _, own in outlines]):
         around = Drawing(smooth(_clockwise_from_top(line)), *shares)
@@ -338,7 +353,8 @@ def alone(
     if line.closed or line.length < SHORT * line.width:
         point = np.full(len(points), Box.around(points).centre)
         pair = (point, points) if is_new else (points, point)
-        return [moving(Straight(*pair), closed=line.closed, is_joined=False, is_early=is_early)]
+        most = CROSSES if line.closed else STUBBY
+        return [moving(Straight(*pair), closed=line.closed, most=most, is_joined=False, is_early=is_early)]
 
     def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
         for carrier, own in outlines:
@@ -368,7 +384,8 @@ def alone(
     if middle or meets[1] or not bends or _is_chevron(points, bends):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
-        move = moving(drawing, is_joined=bool(middle), is_early=is_early and not middle)
+        most = CROSSES if meets[1] else STUBBY
+        move = moving(drawing, most=most, is_joined=bool(middle), is_early=is_early and not middle)
         return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]

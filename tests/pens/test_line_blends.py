@@ -232,6 +232,18 @@ def test_between_two_files_lines_move_straight_and_leave_no_dots():
     assert middle.style_b.stroke_width > 0.0  # the close sign is drawn over it
 
 
+@pytest.mark.parametrize("sign", ["M12 12h.01", "M10 12H14 M12 10V14"], ids=["dot", "plus"])
+def test_dots_and_small_signs_grow_in_width_too(sign):
+    pen = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"'
+    ends = [drawing(f'<path d="{path}" {pen}/>') for path in ("M4 4H20V20H4Z", f"M4 4H20V20H4Z {sign}")]
+    for pair, ends_thin in ((blend(*ends), 0.0), (blend(*ends[::-1]), 1.0)):
+        alone = [shape for shape in pair.shapes if shape.reason in (DRAWN_ON, DRAWN_BACK)]
+        assert len(alone) == sign.count("M")
+        for t in (0.0, 0.5, 1.0):
+            widths = [frame.style.stroke_width for frame in shapes_at(pair, t)][-len(alone) :]
+            assert widths == pytest.approx([2.0 * abs(t - ends_thin)] * len(alone))
+
+
 def test_a_line_that_ends_where_no_other_is_fades_there():
     round_ends = [
         drawing(f'<path d="{path}" fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"/>')
