@@ -28,7 +28,7 @@ from shapeblend_cli.pens.partners import least_work_turned, travelling
 from shapeblend_cli.pens.slashes import crossing_out, is_slash, slash_among
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
-from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned
+from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned, signs_turned
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -100,9 +100,11 @@ def blend_lines(
     if required is None:
         return None
     can_turn = not (one.bodies or other.bodies or required.pairs or settings.stiff)
-    whole = as_whole(one.lines, other.lines) if can_turn and settings.motion != "linear" else None
-    if whole is not None:
-        return LineBlend(_shapes(whole, scale, settings), ([], []), settings)
+    turned = None
+    if can_turn and settings.motion != "linear":
+        turned = as_whole(one.lines, other.lines) or signs_turned(one.lines, other.lines)
+    if turned:
+        return LineBlend(_shapes(turned, scale, settings), ([], []), settings)
     has_bodies = bool(one.bodies or other.bodies)
     moves, kept = line_moves(one.lines, other.lines, required, settings, scale, has_bodies=has_bodies)
     # A stroke of each file leaves nothing to choose between.

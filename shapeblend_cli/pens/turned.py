@@ -82,6 +82,42 @@ def sign_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None
     return found
 
 
+def signs_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
+    """Turn the signs of a drawing by half a turn each, if that nearly gives those of the other; None if it does not.
+
+    Signs are lines that touch. Arrows that point the other way stay arrows so: they would be crosses half way.
+    """
+    signs, others = _signs(a), _signs(b)
+    if len(signs) != len(others):
+        return None
+    moves: list[Move] = []
+    for sign in signs:
+        ways = [abs(centre_of(other) - centre_of(sign)) for other in others]
+        turned = sign_turned(sign, others.pop(int(np.argmin(ways))))
+        if turned is None:
+            return None
+        moves += turned
+    return moves
+
+
+def _signs(lines: Sequence[PenLine]) -> list[list[PenLine]]:
+    """Return lines in groups of those that touch."""
+    signs: list[list[PenLine]] = []
+    for line in lines:
+        joined = [sign for sign in signs if any(_touch(line, other) for other in sign)]
+        signs = [sign for sign in signs if not any(sign is each for each in joined)]
+        signs.append([line, *(other for sign in joined for other in sign)])
+    return signs
+
+
+def _touch(line: PenLine, other: PenLine) -> bool:
+    """Return whether an end of one of two lines lies on the other one."""
+    return any(
+        bool((foot_points(each.drawn[[0, -1]], onto.drawn)[0] < onto.reach).any())
+        for each, onto in ((line, other), (other, line))
+    )
+
+
 def _nearest(
     lines: Sequence[ComplexArray], others: Sequence[ComplexArray]
 ) -> tuple[list[tuple[int, ComplexArray]], float]:

@@ -126,6 +126,23 @@ def test_a_sign_that_is_nearly_the_other_one_upside_down_turns_within_what_stays
     assert abs(boxes[0].imag - boxes[1].imag) < 1.0
 
 
+def test_arrows_that_point_the_other_way_turn_each_about_itself():
+    out, into = (
+        "M14 10L20 4 M15 4H20V9 M10 14L4 20 M9 20H4V15",
+        "M20 4L14 10 M14 5V10H19 M4 20L10 14 M10 19V14H5",
+    )
+    pair = blend(strokes(out), strokes(into))
+    assert reasons(pair) == [SIGN_TURNED] * 4
+    for t in TIMES:  # they keep their angles
+        spans = [
+            abs(np.subtract(*path.segments[[0, -1], [0, 3]]))
+            for shape in pair.shapes
+            for path in paths_at(shape, t)
+        ]
+        assert sorted(spans) == pytest.approx([50**0.5, 50**0.5, 72**0.5, 72**0.5], abs=0.05)
+    assert SIGN_TURNED not in reasons(blend(strokes(out), strokes(f"{into} M4 4H8")))
+
+
 def test_a_sign_that_stays_upright_does_not_turn():
     pair = blend(*(drawing(ROUND.format(d)) for d in ("M12 8h.01 M12 12V16", "M12 5h.01 M10 10H12V17")))
     assert SIGN_TURNED not in reasons(pair)
