@@ -54,6 +54,7 @@ class Region:
         self.ends = np.concatenate([rolled(ring, -1) for ring in rings])
         self.ring = np.repeat(np.arange(len(rings)), sizes)
         self.first = np.cumsum([0, *sizes])
+        self._grids: dict[float, tuple[complex, BoolArray]] = {}
 
     @property
     def area(self) -> float:
@@ -68,6 +69,11 @@ class Region:
 
     def grid(self, step: float) -> tuple[complex, BoolArray]:
         """Return the corner of a grid around the region, and which of its points are inside."""
+        if step not in self._grids:
+            self._grids[step] = self._grid(step)
+        return self._grids[step]
+
+    def _grid(self, step: float) -> tuple[complex, BoolArray]:
         low = complex(self.starts.real.min(), self.starts.imag.min()) - MARGIN * step * (1.0 + 1.0j)
         size = max(float(np.ptp(self.starts.real)), float(np.ptp(self.starts.imag)))
         side = int(np.ceil(size / step + 2.0 * MARGIN)) + 1

@@ -9,7 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray
 
     Pixel = tuple[int, int]
     Edge = tuple[int, int, ComplexArray]
@@ -19,31 +19,6 @@ SLANTED = (1, 1), (1, -1), (-1, 1), (-1, -1)
 
 LEAST_RING = 4
 """Minimum number of pixels of a ring without nodes."""
-
-
-def thinned(mask: BoolArray) -> BoolArray:
-    """Return the pixels that are left when a picture is thinned from all sides, after Guo and Hall (1989)."""
-    picture = np.pad(mask, 1)
-    inner = picture[1:-1, 1:-1]
-    while True:
-        is_changed = False
-        for second in (False, True):
-            n, e, s, w = picture[:-2, 1:-1], picture[1:-1, 2:], picture[2:, 1:-1], picture[1:-1, :-2]
-            ne, se, sw, nw = picture[:-2, 2:], picture[2:, 2:], picture[2:, :-2], picture[:-2, :-2]
-            parts = _count(~n & (ne | e), ~e & (se | s), ~s & (sw | w), ~w & (nw | n))
-            pairs = np.minimum(_count(nw | n, ne | e, se | s, sw | w), _count(n | ne, e | se, s | sw, w | nw))
-            stays = (n | ne | ~se) & e if second else (s | sw | ~nw) & w
-            gone = inner & (parts == 1) & (pairs >= 2) & (pairs <= 3) & ~stays
-            if gone.any():
-                inner[gone] = False
-                is_changed = True
-        if not is_changed:
-            return inner
-
-
-def _count(a: BoolArray, b: BoolArray, c: BoolArray, d: BoolArray) -> IntArray:
-    """Return how many of four are true."""
-    return np.asarray(a.astype(np.uint8) + b + c + d)
 
 
 class Graph:

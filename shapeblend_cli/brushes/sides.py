@@ -93,7 +93,8 @@ def brushes_of(region: Region, strokes: Sequence[Stroke]) -> list[Brush]:
     if not strokes:
         return []
     tries = []
-    for trims in (True, False):
+    # Where no end is free, there is nothing to trim.
+    for trims in (True, False) if any(any(stroke.is_free) for stroke in strokes) else (False,):
         found = [_brush(region, stroke, trims=trims) for stroke in strokes]
         tries.append((region.unlike([brush.polygon for brush in found], PIXEL), found))
     return min(tries, key=lambda one: one[0])[1]

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.brushes.middles import Graph, graph_of, thinned
+from shapeblend_cli.brushes.middles import Graph, graph_of
 from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.geometry.raster import thin
 from shapeblend_cli.pens.line import at, chains, length
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def strokes_of(region: Region) -> list[Stroke]:
     """Return the centre lines of a region."""
     step = float(np.clip(region.thickness / PIXELS, FINEST, COARSEST))
     low, inside = region.grid(step)
-    graph = graph_of(thinned(inside))
+    graph = graph_of(thin(inside))
     corner = low + 0.5 * step * (1.0 + 1.0j)
     graph.nodes = {node: corner + step * place for node, place in graph.nodes.items()}
     graph.edges = {k: (u, v, corner + step * points) for k, (u, v, points) in graph.edges.items()}

@@ -147,11 +147,14 @@ def _brushes(drawing: PlacedDrawing, thickness: float, scale: float) -> list[Bru
     from shapeblend_cli.brushes.sides import brushes_of
     from shapeblend_cli.brushes.strokes import strokes_of
 
+    regions = _regions(drawing, scale)
+    if any(len(region.rings) > 1 + MOST_HOLES for region in regions):
+        return None
     found: list[Brush] = []
-    for region in _regions(drawing, scale):
+    for region in regions:
         brushes = brushes_of(region, strokes_of(region))
         widest = max((2.0 * float(region.distances(brush.points).max()) for brush in brushes), default=0.0)
-        if widest > min(WIDEST, UNEVEN * thickness) or len(region.rings) > 1 + MOST_HOLES:
+        if widest > min(WIDEST, UNEVEN * thickness):
             return None
         found += brushes
     return found if 0 < len(found) <= MOST_STROKES else None
