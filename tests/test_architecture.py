@@ -53,7 +53,7 @@ ROOMS = {
     "svg.reading": "svg.effects svg.styles geometry images svg.xml errors model svg.libraries",
     "svg.effects": "svg.styles geometry images svg.xml model",
     "anatomy": "geometry errors model",
-    "interpolate": "geometry paint model",
+    "interpolate": "geometry paint _cython model",
     "svg.styles": "svg.xml",
     "images": "_cython model",
     "geometry": "_cython model",
@@ -84,7 +84,7 @@ LIBRARIES = {
     "fontTools": "svg.reading",
     "brotli": "svg.reading",
     "uharfbuzz": "svg.reading",
-    "cython": "geometry images matching pens system",
+    "cython": "geometry images interpolate matching pens system",
     "mapbox_earcut": "images",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}

@@ -18,12 +18,12 @@ except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
 if cython.compiled:
-    from cython.cimports.libc.math import ceil, sqrt
+    from cython.cimports.libc.math import ceil, floor, sqrt
 else:
-    from math import ceil, sqrt
+    from math import ceil, floor, sqrt
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray, Polygon
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, Polygon
 
 COMPILED = cython.compiled
 
@@ -145,30 +145,134 @@ def _cut(
 ) -> None:
     """Fill in x and y of the points of the parts of segments between two parameters."""
     k: cython.Py_ssize_t
-    which: cython.int
     for k in range(segments.shape[0]):
-        for which in range(4):
-            r: cython.double = end[k] if which > 2 else start[k]
-            s: cython.double = end[k] if which > 1 else start[k]
-            t: cython.double = end[k] if which > 0 else start[k]
-            x0, x1, x2, x3 = (
-                segments[k, 0],
-                segments[k, 2],
-                segments[k, 4],
-                segments[k, 6],
-            )
-            y0, y1, y2, y3 = (
-                segments[k, 1],
-                segments[k, 3],
-                segments[k, 5],
-                segments[k, 7],
-            )
-            x0, x1, x2 = x0 + (x1 - x0) * r, x1 + (x2 - x1) * r, x2 + (x3 - x2) * r
-            y0, y1, y2 = y0 + (y1 - y0) * r, y1 + (y2 - y1) * r, y2 + (y3 - y2) * r
-            x0, x1 = x0 + (x1 - x0) * s, x1 + (x2 - x1) * s
-            y0, y1 = y0 + (y1 - y0) * s, y1 + (y2 - y1) * s
-            found[k, 2 * which] = x0 + (x1 - x0) * t
-            found[k, 2 * which + 1] = y0 + (y1 - y0) * t
+        _cut_one(segments, k, start[k], end[k], found, k)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _cut_one(
+    segments: cython.const[cython.double][:, ::1],
+    number: cython.Py_ssize_t,
+    start: cython.double,
+    end: cython.double,
+    found: cython.double[:, ::1],
+    row: cython.Py_ssize_t,
+) -> cython.void:
+    """Fill in a row: x and y of the points of the part of a segment between two parameters."""
+    which: cython.int
+    for which in range(4):
+        r: cython.double = end if which > 2 else start
+        s: cython.double = end if which > 1 else start
+        t: cython.double = end if which > 0 else start
+        x0, x1, x2, x3 = (
+            segments[number, 0],
+            segments[number, 2],
+            segments[number, 4],
+            segments[number, 6],
+        )
+        y0, y1, y2, y3 = (
+            segments[number, 1],
+            segments[number, 3],
+            segments[number, 5],
+            segments[number, 7],
+        )
+        x0, x1, x2 = x0 + (x1 - x0) * r, x1 + (x2 - x1) * r, x2 + (x3 - x2) * r
+        y0, y1, y2 = y0 + (y1 - y0) * r, y1 + (y2 - y1) * r, y2 + (y3 - y2) * r
+        x0, x1 = x0 + (x1 - x0) * s, x1 + (x2 - x1) * s
+        y0, y1 = y0 + (y1 - y0) * s, y1 + (y2 - y1) * s
+        found[row, 2 * which] = x0 + (x1 - x0) * t
+        found[row, 2 * which + 1] = y0 + (y1 - y0) * t
+
+
+def pieces_between(
+    segments: ComplexArray,
+    straight: BoolArray,
+    edges: tuple[IntArray, FloatArray, FloatArray],
+    closed: bool,
+    positions: FloatArray,
+    *,
+    joined: bool,
+) -> tuple[ComplexArray, BoolArray, FloatArray]:
+    """Return the parts of segments between neighbouring positions on the edges of a contour's polygon.
+
+    Parameters
+    ----------
+    segments : (k, 4) complex
+    straight : (k,) bool
+    edges : ((e,) int, (e,) float, (e,) float)
+        The segment on which each edge lies, and its parameters there, from and to.
+    closed : bool
+    positions : (s + 1,) float
+        Numbers of edges, and between them; they rise, on closed contours on beyond e.
+    joined : bool
+        Each part is to end where the next begins, and a part between equal positions is a point.
+
+    Returns
+    -------
+    parts : (s, 4) complex
+    straight : (s,) bool
+        Those of straight segments, and points that are asked for.
+    spans : (s,) float
+        Their extents in the parameters of their segments.
+    """
+    count = len(positions) - 1
+    found = np.empty((count, 4), np.complex128), np.empty(count, np.bool_), np.empty(count)
+    _fill_pieces(_coordinates(segments), straight, edges, closed, positions, joined, found)
+    return found
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _fill_pieces(
+    segments: cython.const[cython.double][:, ::1],
+    are_straight: BoolArray,
+    edges: tuple[IntArray, FloatArray, FloatArray],
+    closed: cython.bint,
+    positions: cython.const[cython.double][:],
+    joined: cython.bint,
+    found: tuple[ComplexArray, BoolArray, FloatArray],
+) -> None:
+    """Fill in what `pieces_between` returns."""
+    straight: cython.const[cython.uchar][:] = are_straight.view(np.uint8)
+    segment: cython.const[cython.Py_ssize_t][:] = edges[0]
+    start: cython.const[cython.double][:] = edges[1]
+    end: cython.const[cython.double][:] = edges[2]
+    parts: cython.double[:, ::1] = found[0].view(np.float64)
+    lines: cython.uchar[::1] = found[1].view(np.uint8)
+    spans: cython.double[::1] = found[2]
+    count: cython.Py_ssize_t = segment.shape[0]
+    last: cython.Py_ssize_t = spans.shape[0] - 1
+    k: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    for k in range(last + 1):
+        begins: cython.Py_ssize_t = cython.cast(cython.Py_ssize_t, floor(positions[k]))
+        ends: cython.Py_ssize_t = max(cython.cast(cython.Py_ssize_t, ceil(positions[k + 1])) - 1, begins)
+        if not closed:
+            begins, ends = min(begins, count - 1), min(ends, count - 1)
+        at: cython.Py_ssize_t = begins % count if begins >= 0 else count - 1 - (-1 - begins) % count
+        till: cython.Py_ssize_t = ends % count if ends >= 0 else count - 1 - (-1 - ends) % count
+        low: cython.double = start[at] + (end[at] - start[at]) * (positions[k] - begins)
+        high: cython.double = start[till] + (end[till] - start[till]) * (positions[k + 1] - ends)
+        high = max(high, low)
+        _cut_one(segments, segment[at], low, high, parts, k)
+        lines[k] = straight[segment[at]]
+        spans[k] = high - low
+    if not joined:
+        return
+    for k in range(last + 1):
+        if k < last or closed:
+            parts[k, 6] = parts[k + 1 if k < last else 0, 0]
+            parts[k, 7] = parts[k + 1 if k < last else 0, 1]
+    for k in range(last + 1):
+        if positions[k + 1] <= positions[k]:
+            lines[k] = 1
+            for i in range(1, 4):
+                parts[k, 2 * i], parts[k, 2 * i + 1] = parts[k, 0], parts[k, 1]
 
 
 def chord_deviation(segments: ComplexArray) -> FloatArray:

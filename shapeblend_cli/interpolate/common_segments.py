@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.interpolate.continuous_match import (
     ContinuousMatch,
     even_lines,
@@ -119,19 +118,11 @@ def _grow_from(nothing: Contour, contour: Contour, polygon: Polygon) -> CommonSe
 
 def _pieces(a: ContourParameter, b: ContourParameter, cuts: FloatArray) -> Pieces:
     """Return the pieces of both contours between the cuts, (s, 4) each, and which are straight in both."""
-    pieces, lines = [], []
-    for side, one in enumerate((a, b)):
-        segment, start, end = one.pieces(cuts[:, side])
-        piece = cubics.pieces(one.segments[segment], start, end)
-        piece[:-1, 3] = piece[1:, 0]
-        if one.closed:
-            piece[-1, 3] = piece[0, 0]
-        point = cuts[1:, side] <= cuts[:-1, side]
-        piece[point] = piece[point, :1]
-        pieces.append(piece)
-        lines.append(one.straight[segment] | point)
-    divided_a, divided_b = divide_lines(pieces[0], pieces[1], lines[0], lines[1], a.closed)
-    return divided_a, divided_b, lines[0] & lines[1]
+    (piece_a, line_a, _), (piece_b, line_b, _) = (
+        one.parts(cuts[:, side], joined=True) for side, one in enumerate((a, b))
+    )
+    divided_a, divided_b = divide_lines(piece_a, piece_b, line_a, line_b, a.closed)
+    return divided_a, divided_b, line_a & line_b
 
 
 def _find_cuts(match: ContinuousMatch, distance: float) -> tuple[FloatArray, Pieces]:

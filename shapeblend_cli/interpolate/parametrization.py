@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
+
 CORNER = 0.1
 """Minimum turn of an outline at a corner, in radians (about 6 degrees); smooth joints stay far below."""
 
@@ -90,20 +91,12 @@ class ContourParameter:
         parameter = self.start[edge] + (self.end[edge] - self.start[edge]) * share
         return cubics.evaluate(self.segments[self.segment[edge]], parameter)
 
-    def pieces(self, positions: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Return the segment, first and last parameter of each piece between neighbouring positions.
-
-        Between equal positions a piece is a point of the segment that begins or continues there.
-        """
-        first, last = positions[:-1], positions[1:]
-        begins = np.floor(first).astype(np.intp)
-        ends = np.maximum(np.ceil(last).astype(np.intp) - 1, begins)
-        if not self.closed:
-            begins, ends = np.minimum(begins, self.count - 1), np.minimum(ends, self.count - 1)
-        at, till = begins % self.count, ends % self.count
-        low = self.start[at] + (self.end[at] - self.start[at]) * (first - begins)
-        high = self.start[till] + (self.end[till] - self.start[till]) * (last - ends)
-        return self.segment[at], low, np.maximum(high, low)
+    def parts(self, positions: FloatArray, *, joined: bool) -> tuple[ComplexArray, BoolArray, FloatArray]:
+        """Return the pieces between neighbouring positions, see `cubics.pieces_between`."""
+        edges = self.segment, self.start, self.end
+        return cubics.pieces_between(
+            self.segments, self.straight, edges, self.closed, positions, joined=joined
+        )
 
 
 def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
