@@ -18,7 +18,11 @@ if TYPE_CHECKING:
 
 
 def frozen(values: object, dtype: object) -> NDArray:  # type: ignore[type-arg]
-    """Return a read-only array of `dtype` holding its own copy of `values`."""
+    """Return a read-only array of `dtype` holding its own copy of `values`, which may be such an array already."""
+    if type(values) is np.ndarray and values.base is None and values.dtype == dtype:
+        flags = values.flags
+        if not flags.writeable and flags.c_contiguous:
+            return values
     array = np.array(values, dtype=dtype, order="C")  # type: ignore[call-overload]
     array.setflags(write=False)
     return array
