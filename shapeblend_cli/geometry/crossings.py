@@ -94,19 +94,26 @@ def path_crossings(paths: Sequence[CubicPath], most: int | None = None) -> int:
     from them by at most `CHORD_ERROR` of the size; strands that stay within four times that of each other touch.
     Counting stops at `most`: 1 asks whether anything crosses.
     """
-    if not paths:
+    return chain_crossings([path.segments for path in paths], paths, most)
+
+
+def chain_crossings(
+    chains: Sequence[ComplexArray], like: Sequence[CubicPath], most: int | None = None
+) -> int:
+    """Count how often chains of cubics cross, see `path_crossings`; they are straight and closed as some paths are."""
+    if not chains:
         return 0
-    segments = np.concatenate([path.segments for path in paths])
-    straight = np.concatenate([path.straight for path in paths])
-    closed = np.array([path.closed for path in paths])
-    ends = np.array([len(path.segments) for path in paths]).cumsum()
+    segments = np.ascontiguousarray(chains[0]) if len(chains) == 1 else np.concatenate(chains)
+    straight = like[0].straight if len(chains) == 1 else np.concatenate([path.straight for path in like])
+    closed = np.array([path.closed for path in like])
+    ends = np.array([len(chain) for chain in chains]).cumsum()
     coordinates, counts = segments.view(np.float64), np.empty(len(segments), np.intp)
     pieces = _count_chords(coordinates, straight.view(np.uint8), counts)
     if pieces == 0:
         return 0
     # Every segment gives the starts of its pieces, and the last one of a path its end as well.
-    points = np.empty(pieces + len(paths), np.complex128)
-    starts = np.zeros(len(paths) + 1, np.intp)
+    points = np.empty(pieces + len(chains), np.complex128)
+    starts = np.zeros(len(chains) + 1, np.intp)
     _cut_into_chords(coordinates, counts, ends, closed.view(np.uint8), points.view(np.float64), starts)
     return _count(points, starts, 4.0 * CHORD_ERROR if pieces > len(counts) else NOISE, most)
 
@@ -203,7 +210,9 @@ def _is_longer(z: cython.doublecomplex, distance: cython.double) -> cython.bint:
 
 @cython.cfunc
 def _count_chords(
-    segments: cython.double[:, ::1], straight: cython.uchar[::1], counts: cython.Py_ssize_t[::1]
+    segments: cython.const[cython.double][:, ::1],
+    straight: cython.const[cython.uchar][::1],
+    counts: cython.Py_ssize_t[::1],
 ) -> cython.Py_ssize_t:
     """Fill in the number of chords of each cubic, and return the number of all; 0 where all is one point.
 
@@ -237,7 +246,7 @@ def _count_chords(
 
 @cython.cfunc
 def _cut_into_chords(
-    segments: cython.double[:, ::1],
+    segments: cython.const[cython.double][:, ::1],
     counts: cython.Py_ssize_t[::1],
     ends: cython.Py_ssize_t[::1],
     closed: cython.uchar[::1],

@@ -11,8 +11,8 @@ import math
 from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.geometry.crossings import path_crossings
-from shapeblend_cli.interpolate.paths import Moving, expect, paths_at
+from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
+from shapeblend_cli.interpolate.paths import Moving, expect, paths_at, segments_at
 from shapeblend_cli.model import WHOLE, Candidate
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judge_shape
@@ -187,7 +187,9 @@ def crosses_at(shape: ShapeBlend, t: float) -> bool:
 def _crosses_then(moving: Moving, t: float) -> bool:
     """Return `crosses_at` by a shape's own time; of the motion that is chosen it is asked again."""
     shape = moving.shape
-    return path_crossings(paths_at(shape._replace(span=WHOLE, pace=()), t), 1) > 0
+    if shape.pace or shape.span != WHOLE:
+        shape = shape._replace(span=WHOLE, pace=())
+    return chain_crossings(segments_at(shape, t), [contour.start for contour in shape.contours], 1) > 0
 
 
 def candidate_of(shape: ShapeBlend, view: Box) -> Candidate:
