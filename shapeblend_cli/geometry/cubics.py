@@ -275,6 +275,67 @@ def _fill_pieces(
                 parts[k, 2 * i], parts[k, 2 * i + 1] = parts[k, 0], parts[k, 1]
 
 
+def in_betweens(
+    segments_a: ComplexArray, segments_b: ComplexArray, counts: IntArray, times: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return points of paths between two others, at even parameters of each segment, and the lengths up to each.
+
+    Parameters
+    ----------
+    segments_a, segments_b : (s, 4) complex
+    counts : (s,) int
+        The number of points on each segment; the end of the last one is one more.
+    times : (t,) float
+
+    Returns
+    -------
+    points : (t, n, 2) float
+    lengths : (t, n) float
+    """
+    number = int(counts.sum()) + 1
+    points, lengths = np.empty((len(times), number, 2)), np.empty((len(times), number))
+    _sample(_coordinates(segments_a), _coordinates(segments_b), counts, times, points, lengths)
+    return points, lengths
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _sample(
+    segments_a: cython.const[cython.double][:, ::1],
+    segments_b: cython.const[cython.double][:, ::1],
+    counts: cython.const[cython.Py_ssize_t][::1],
+    times: cython.const[cython.double][::1],
+    points: cython.double[:, :, ::1],
+    lengths: cython.double[:, ::1],
+) -> None:
+    """Fill in what `in_betweens` returns."""
+    at: cython.Py_ssize_t = 0
+    last: cython.Py_ssize_t = counts.shape[0] - 1
+    k: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    n: cython.Py_ssize_t
+    axis: cython.int
+    for k in range(last + 1):
+        for n in range(counts[k] + (1 if k == last else 0)):
+            t: cython.double = cython.cast(cython.double, n) / counts[k]
+            for axis in range(2):
+                a: cython.double = segments_a[k, 6 + axis]
+                b: cython.double = segments_b[k, 6 + axis]
+                if n < counts[k]:
+                    a = _at(segments_a[k, axis], segments_a[k, 2 + axis], segments_a[k, 4 + axis], a, t)
+                    b = _at(segments_b[k, axis], segments_b[k, 2 + axis], segments_b[k, 4 + axis], b, t)
+                for i in range(times.shape[0]):
+                    points[i, at, axis] = a + times[i] * (b - a)
+            at += 1
+    for i in range(times.shape[0]):
+        lengths[i, 0] = 0.0
+        for k in range(1, at):
+            x: cython.double = points[i, k, 0] - points[i, k - 1, 0]
+            y: cython.double = points[i, k, 1] - points[i, k - 1, 1]
+            lengths[i, k] = lengths[i, k - 1] + sqrt(x * x + y * y)
+
+
 def chord_deviation(segments: ComplexArray) -> FloatArray:
     """Return a bound on each segment's distance from its chord, (k,) float.
 

@@ -81,6 +81,8 @@ def interpolated(
     return found
 
 
+@cython.cfunc
+@cython.exceptval(check=False)
 @cython.boundscheck(False)
 @cython.wraparound(False)
 @cython.cdivision(True)
@@ -90,7 +92,7 @@ def _interpolate(
     results: cython.const[cython.double][:],
     closed: cython.bint,
     found: cython.double[::1],
-) -> None:
+) -> cython.void:
     """Fill in the results at values; the search begins where the last one ended."""
     last: cython.Py_ssize_t = known.shape[0] - 1
     end: cython.double = known[last]
@@ -343,14 +345,11 @@ def are_near(points: ComplexArray, line: ComplexArray, distance: float) -> BoolA
     return nearest_places(points, line)[0] <= distance
 
 
-@cython.boundscheck(False)
-@cython.wraparound(False)
-@cython.cdivision(True)
 def add_distances(
     points: cython.double[:, ::1],
     line: cython.double[:, ::1],
-    places: cython.const[cython.double][::1],
-    lengths: cython.const[cython.double][::1],
+    places: cython.const[cython.double][:],
+    lengths: cython.const[cython.double][:],
     closed: cython.bint,
     at_points: cython.bint,
     far: cython.double[::1],
@@ -371,6 +370,24 @@ def add_distances(
     far : (p,) or (n,) float
         The largest distances so far, by points or vertices; only larger ones are taken down.
     """
+    _add_distances(points, line, places, lengths, closed, at_points, far)
+
+
+@cython.cfunc
+@cython.exceptval(check=False)
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _add_distances(
+    points: cython.double[:, ::1],
+    line: cython.double[:, ::1],
+    places: cython.const[cython.double][:],
+    lengths: cython.const[cython.double][:],
+    closed: cython.bint,
+    at_points: cython.bint,
+    far: cython.double[::1],
+) -> cython.void:
+    """Keep the largest distances, see `add_distances`."""
     edges: cython.Py_ssize_t = line.shape[0] - 1
     count: cython.Py_ssize_t = lengths.shape[0]
     p: cython.Py_ssize_t
@@ -408,6 +425,62 @@ def add_distances(
         least = sqrt(least)
         if least > far[at]:
             far[at] = least
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def add_deviations(
+    curve: tuple[FloatArray, FloatArray, IntArray],
+    polygon: tuple[FloatArray, FloatArray, FloatArray],
+    cuts: FloatArray,
+    closed: cython.bint,
+    far: cython.double[::1],
+) -> None:
+    """Keep the largest distances between two lines on their way, near each vertex of the second.
+
+    They correspond at cuts, and between these by their lengths. The distances of the vertices of each from the edges of
+    the other nearby are taken.
+
+    Parameters
+    ----------
+    curve : ((t, n, 2) float, (t, n) float, (c,) int)
+        x and y at some times, the lengths up to each vertex, and the vertices at cuts.
+    polygon : ((t, p, 2) float, (t, p) float, (p,) float)
+        The same, and the progress at each vertex.
+    cuts : (c,) float
+        The progress there.
+    closed : bool
+    far : (p,) float
+        The largest distances so far; only larger ones are taken down.
+    """
+    points: cython.double[:, :, ::1] = curve[0]
+    vertices: cython.double[:, :, ::1] = polygon[0]
+    lengths: cython.const[cython.double][:, :] = curve[1]
+    own_lengths: cython.const[cython.double][:, :] = polygon[1]
+    at_cuts: cython.const[cython.Py_ssize_t][:] = curve[2]
+    progress: cython.const[cython.double][:] = polygon[2]
+    given: cython.const[cython.double][:] = cuts
+    count: cython.Py_ssize_t = given.shape[0]
+    # What is filled in, and the same to be read.
+    work = np.empty(count), np.empty(count), np.empty(vertices.shape[1]), np.empty(points.shape[1])
+    polygon_at_cuts: cython.double[::1] = work[0]
+    curve_at_cuts: cython.double[::1] = work[1]
+    on_curve: cython.double[::1] = work[2]
+    on_polygon: cython.double[::1] = work[3]
+    cut_lengths: cython.const[cython.double][:] = work[0]
+    cut_places: cython.const[cython.double][:] = work[1]
+    vertex_places: cython.const[cython.double][:] = work[2]
+    point_places: cython.const[cython.double][:] = work[3]
+    t: cython.Py_ssize_t
+    k: cython.Py_ssize_t
+    for t in range(points.shape[0]):
+        _interpolate(given, progress, own_lengths[t], False, polygon_at_cuts)
+        for k in range(count):
+            curve_at_cuts[k] = lengths[t, at_cuts[k]]
+        _interpolate(own_lengths[t], cut_lengths, cut_places, False, on_curve)
+        _interpolate(lengths[t], cut_places, cut_lengths, False, on_polygon)
+        _add_distances(vertices[t], points[t], vertex_places, lengths[t], closed, True, far)
+        _add_distances(points[t], vertices[t], point_places, own_lengths[t], closed, False, far)
 
 
 def tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polyline import add_distances, interpolated
+from shapeblend_cli.geometry.polyline import add_deviations
 
 if TYPE_CHECKING:
     from shapeblend_cli.interpolate.continuous_match import ContinuousMatch
@@ -52,37 +52,22 @@ def deviation(
     cut_progress = match.progress(cuts)
     first = progress.searchsorted(cut_progress)
     counts = LEAST_SAMPLES + 2 * (first[1:] - first[:-1])
-    piece = np.arange(len(counts)).repeat(counts)
-    begins = counts.cumsum() - counts
-    u = (np.arange(len(piece)) - begins[piece]) / counts[piece]
-    ends = np.concatenate([piece, [len(counts) - 1]]), np.concatenate([u, [1.0]])
-    curve_a, curve_b = (cubics.evaluate(segments[ends[0]], ends[1]) for segments in (segments_a, segments_b))
-    curve_a[-1], curve_b[-1] = segments_a[-1, 3], segments_b[-1, 3]
-    curves, curve_lengths = _in_betweens(curve_a, curve_b)
-    polygons, polygon_lengths = _polygons(match)
-    curve_cuts = np.concatenate([begins, [len(piece)]])
+    curves, lengths = cubics.in_betweens(segments_a, segments_b, counts, TIMES)
+    at_cuts = np.zeros(len(cuts), np.intp)
+    counts.cumsum(out=at_cuts[1:])
     far = np.full(len(match.positions), tolerance)
-    for curve, length_curve, polygon, length_polygon in zip(
-        curves, curve_lengths, polygons, polygon_lengths, strict=True
-    ):
-        # Lengths along both, made equal at the cuts.
-        polygon_at_cuts = interpolated(cut_progress, progress, length_polygon)
-        curve_at_cuts = length_curve[curve_cuts]
-        on_curve = interpolated(length_polygon, polygon_at_cuts, curve_at_cuts)
-        on_polygon = interpolated(length_curve, curve_at_cuts, polygon_at_cuts)
-        add_distances(polygon, curve, on_curve, length_curve, match.a.closed, True, far)
-        add_distances(curve, polygon, on_polygon, length_polygon, match.a.closed, False, far)
+    polygons = *_polygons(match), progress
+    add_deviations((curves, lengths, at_cuts), polygons, cut_progress, match.a.closed, far)
     return far
 
 
 @lru_cache(maxsize=1)
 def _polygons(match: ContinuousMatch) -> tuple[FloatArray, FloatArray]:
-    """Return the in-betweens of the polygons of a match, which stay while cuts are made."""
-    return _in_betweens(*match.vertices)
+    """Return the in-betweens of the polygons of a match at all `TIMES`, (t, n, 2), and the lengths up to each, (t, n).
 
-
-def _in_betweens(a: ComplexArray, b: ComplexArray) -> tuple[FloatArray, FloatArray]:
-    """Return the points between two rows of points at all `TIMES`, (t, n, 2), and the lengths up to each, (t, n)."""
+    They stay while cuts are made.
+    """
+    a, b = match.vertices
     points = a + TIMES[:, None] * (b - a)
     lengths = np.zeros(points.shape)
     np.abs(points[:, 1:] - points[:, :-1]).cumsum(axis=1, out=lengths[:, 1:])

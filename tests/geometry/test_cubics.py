@@ -79,3 +79,41 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
         found.append((*points, *module.directions(segments), np.array(module.bounds(segments))))
     for one, other in zip(*found, strict=True):
         assert np.array_equal(one, other)
+
+
+def test_paths_between_two_others_are_sampled_at_even_parameters(rng, load_uncompiled):
+    a, b = rng.normal(size=(2, 3, 4)) + 1j * rng.normal(size=(2, 3, 4))
+    counts, times = np.array([2, 1, 4], np.intp), np.array([0.25, 0.5])
+    found = []
+    for module in (cubics, load_uncompiled("shapeblend_cli.geometry.cubics")):
+        points, lengths = module.in_betweens(a, b, counts, times)
+        for t, line, along in zip(times, points.view(complex)[:, :, 0], lengths, strict=True):
+            halfway = (1.0 - t) * a + t * b
+            parts = [
+                cubics.evaluate(one, np.arange(count) / count)
+                for one, count in zip(halfway, counts, strict=True)
+            ]
+            np.testing.assert_allclose(line, np.concatenate([*parts, halfway[-1:, 3]]), atol=1e-12)
+            np.testing.assert_allclose(np.diff(along), np.abs(np.diff(line)), atol=1e-12)
+        found.append((points, lengths))
+    for ours, theirs in zip(*found, strict=True):
+        np.testing.assert_array_equal(ours, theirs)
+
+
+def test_pieces_between_positions_end_where_the_next_begin(rng, load_uncompiled):
+    nodes = rng.normal(size=4) + 1j * rng.normal(size=4)
+    outline = cubics.line(nodes[:, None], np.roll(nodes, -1)[:, None])
+    straight = np.array([True, False, True, False])
+    edges = np.array([0, 0, 1, 2, 3], np.intp), np.array([0.0, 0.5, 0, 0, 0]), np.array([0.5, 1.0, 1, 1, 1])
+    positions = np.array([1.0, 2.0, 2.25, 2.25, 3.0, 4.0, 4.5, 5.0])
+    begins = cubics.evaluate(outline[[0, 1, 1, 1, 2, 3, 3]], np.array([0.5, 0.0, 0.25, 0.25, 0.0, 0.0, 0.5]))
+    for module in (cubics, load_uncompiled("shapeblend_cli.geometry.cubics")):
+        parts, lines, spans = module.pieces_between(outline, straight, edges, True, positions, joined=False)
+        np.testing.assert_allclose(parts[:, 0], begins)
+        assert lines.tolist() == [True, False, False, False, True, False, False]
+        np.testing.assert_allclose(spans, [0.5, 0.25, 0.0, 0.75, 1.0, 0.5, 0.5], atol=1e-12)
+        joined, lines, _ = module.pieces_between(outline, straight, edges, True, positions, joined=True)
+        assert (joined[:-1, 3] == joined[1:, 0]).all()
+        assert joined[-1, 3] == joined[0, 0]
+        assert (joined[2] == joined[2, 0]).all()
+        assert lines.tolist() == [True, False, True, False, True, False, False]

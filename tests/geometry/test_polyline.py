@@ -94,3 +94,23 @@ def test_points_that_are_not_needed_are_within_the_tolerance(rng, load_uncompile
         assert np.array_equal(kept, uncompiled.needed(points, tolerance))
     assert kept.sum() < 150
     assert polyline.needed(points, 0.0).all()
+
+
+def test_lines_on_their_way_deviate_near_their_vertices(load_uncompiled):
+    t = np.arange(9.0)
+    found = []
+    for module in (polyline, load_uncompiled("shapeblend_cli.geometry.polyline")):
+        line = t + 0j
+        bent = np.where(t == 4.0, t + 0.5j, t)
+        sides = [
+            (np.stack([coordinates(points)] * 2), np.stack([polyline.cumulative_lengths(points)] * 2))
+            for points in (bent, line)
+        ]
+        far = np.full(len(t), 0.1)
+        cuts = np.array([0, 8], np.intp)
+        module.add_deviations((*sides[0], cuts), (*sides[1], t), t[cuts], False, far)
+        assert far.argmax() == 4
+        assert 0.4 < far[4] <= 0.5
+        assert far[[0, 1, 7, 8]].tolist() == [0.1] * 4
+        found.append(far)
+    np.testing.assert_array_equal(*found)
