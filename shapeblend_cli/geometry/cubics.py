@@ -343,13 +343,33 @@ def chord_deviation(segments: ComplexArray) -> FloatArray:
     ``3 t (1 - t) <= 3/4`` together; the ends lie on the chord. So three quarters of the larger distance
     of an inner point bounds the curve's, and is reached where both lie equally far off.
     """
-    origin = segments[:, 0]
-    chord = segments[:, 3] - origin
-    square = np.abs(chord) ** 2
-    inner = segments[:, 1:3] - origin[:, None]
-    along = (inner * chord.conj()[:, None]).real / np.where(square > 0.0, square, 1.0)[:, None]
-    foot = np.clip(along, 0.0, 1.0) * chord[:, None]
-    return 0.75 * np.abs(inner - foot).max(axis=1)
+    found = np.empty(len(segments))
+    _find_deviations(_coordinates(segments), found)
+    return found
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _find_deviations(segments: cython.const[cython.double][:, ::1], found: cython.double[::1]) -> None:
+    """Fill in what `chord_deviation` returns."""
+    k: cython.Py_ssize_t
+    i: cython.Py_ssize_t
+    for k in range(segments.shape[0]):
+        across: cython.double = segments[k, 6] - segments[k, 0]
+        down: cython.double = segments[k, 7] - segments[k, 1]
+        square: cython.double = across * across + down * down
+        if square == 0.0:
+            square = 1.0
+        most: cython.double = 0.0
+        for i in range(2, 6, 2):
+            x: cython.double = segments[k, i] - segments[k, 0]
+            y: cython.double = segments[k, i + 1] - segments[k, 1]
+            along: cython.double = min(max((x * across + y * down) / square, 0.0), 1.0)
+            x -= along * across
+            y -= along * down
+            most = max(most, x * x + y * y)
+        found[k] = 0.75 * sqrt(most)
 
 
 def bounds(segments: ComplexArray) -> Box:
@@ -392,11 +412,43 @@ def _range(points: cython.const[cython.double][:, :]) -> tuple[float, float]:
 
 def signed_area(segments: ComplexArray) -> float:
     """Return the area between a chain of segments and the line from its end to its start, see `polygons`."""
-    points = evaluate(segments[:, None, :], _NODES)
-    hodograph = 3.0 * np.diff(segments, axis=1)
-    basis = np.stack([(1.0 - _NODES) ** 2, 2.0 * _NODES * (1.0 - _NODES), _NODES**2])
-    swept = ((points.conj() * (hodograph @ basis)).imag @ _WEIGHTS).sum()
-    return 0.5 * float(swept + (segments[-1, 3].conj() * segments[0, 0]).imag)
+    return _area(_coordinates(segments), _NODES, _WEIGHTS)
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+def _area(
+    segments: cython.const[cython.double][:, ::1],
+    nodes: cython.const[cython.double][::1],
+    weights: cython.const[cython.double][::1],
+) -> float:
+    """Return what `signed_area` does, by a quadrature that is exact."""
+    last: cython.Py_ssize_t = segments.shape[0] - 1
+    swept: cython.double = 0.0
+    k: cython.Py_ssize_t
+    n: cython.Py_ssize_t
+    for k in range(last + 1):
+        x0, x1, x2, x3 = (
+            segments[k, 0],
+            segments[k, 2],
+            segments[k, 4],
+            segments[k, 6],
+        )
+        y0, y1, y2, y3 = (
+            segments[k, 1],
+            segments[k, 3],
+            segments[k, 5],
+            segments[k, 7],
+        )
+        for n in range(nodes.shape[0]):
+            t: cython.double = nodes[n]
+            u: cython.double = 1.0 - t
+            dx: cython.double = u * u * (x1 - x0) + 2.0 * t * u * (x2 - x1) + t * t * (x3 - x2)
+            dy: cython.double = u * u * (y1 - y0) + 2.0 * t * u * (y2 - y1) + t * t * (y3 - y2)
+            x: cython.double = _at(x0, x1, x2, x3, t)
+            y: cython.double = _at(y0, y1, y2, y3, t)
+            swept += weights[n] * 3.0 * (x * dy - y * dx)
+    return 0.5 * (swept + segments[last, 6] * segments[0, 1] - segments[last, 7] * segments[0, 0])
 
 
 def line(start: complex | ComplexArray, end: complex | ComplexArray) -> ComplexArray:

@@ -76,7 +76,11 @@ def test_compiled_and_uncompiled_kernels_agree_to_the_bit(rng, load_uncompiled):
     found = []
     for module in (cubics, load_uncompiled("shapeblend_cli.geometry.cubics")):
         points = module.evaluate(segments, start), module.pieces(segments, start, end)
-        found.append((*points, *module.directions(segments), np.array(module.bounds(segments))))
+        sizes = (
+            module.chord_deviation(segments),
+            np.array([module.signed_area(segments), *module.bounds(segments)]),
+        )
+        found.append((*points, *module.directions(segments), *sizes))
     for one, other in zip(*found, strict=True):
         assert np.array_equal(one, other)
 
