@@ -18,6 +18,8 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray, ShapeBlend
@@ -158,12 +160,11 @@ def judge_outlines(outlines: Outlines, view: Box | None = None) -> Judged:
 
 def outlines_of(shape: ShapeBlend) -> Outlines:
     """Sample the outlines of a shape: the nodes, and the middle of each curve."""
-    ends = [_points(shape, t) for t in (0.0, 1.0)]
+    inner = TIMES[INNER].tolist() if shape.motion is not None else []
+    expect(shape, inner)
+    points = _points(shape, [0.0, *inner, 1.0])
     if shape.motion is None:
-        points = _even(*ends)
-    else:
-        expect(shape, TIMES[INNER].tolist())
-        points = np.stack([ends[0], *(_points(shape, t) for t in TIMES[INNER].tolist()), ends[1]])
+        points = _even(points[0], points[1])
     kept, following = [], []
     counts: list[int] = []
     for contour in shape.contours:
@@ -196,17 +197,20 @@ def _upright(motion: Rigid, points: ComplexArray, contour: IntArray) -> ComplexA
     return (points - centre) * np.exp(-1j * rotation * TIMES[:, None]) + centre
 
 
-def _points(shape: ShapeBlend, t: float) -> ComplexArray:
+def _points(shape: ShapeBlend, times: Sequence[float]) -> ComplexArray:
     """Return the nodes and the middles of all segments, one after the other, and the end of each line."""
     points = []
-    for contour, z in zip(shape.contours, segments_at(shape, t), strict=True):
-        both = np.empty((len(z), 2), np.complex128)
-        both[:, 0] = z[:, 0]
-        both[:, 1] = (z[:, 0] + 3.0 * (z[:, 1] + z[:, 2]) + z[:, 3]) / 8.0
-        points.append(both.ravel())
+    for contour, moving in zip(
+        shape.contours, zip(*(segments_at(shape, t) for t in times), strict=True), strict=True
+    ):
+        z = np.array(moving)
+        both = np.empty((*z.shape[:2], 2), np.complex128)
+        both[:, :, 0] = z[:, :, 0]
+        both[:, :, 1] = (z[:, :, 0] + 3.0 * (z[:, :, 1] + z[:, :, 2]) + z[:, :, 3]) / 8.0
+        points.append(both.reshape(len(times), -1))
         if not contour.start.closed:
-            points.append(z[-1:, 3])
-    return np.concatenate(points)
+            points.append(z[:, -1:, 3])
+    return np.concatenate(points, axis=1)
 
 
 def _even(a: Any, b: Any) -> NDArray[Any]:
