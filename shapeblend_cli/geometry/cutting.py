@@ -1,4 +1,4 @@
-"""Parts of closed contours: runs of their segments, and what lies on one side of a line."""
+"""Parts of closed contours: runs of their segments, what lies on one side of a line, and lines through them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Contour, Polygon
+from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray
@@ -90,3 +92,22 @@ def _cut_at_axis(segments: ComplexArray, straight: BoolArray, slack: float) -> t
         ends += [*times, 1.0]
         numbers += [k] * (len(times) + 1)
     return cubics.pieces(segments[numbers], np.array(starts), np.array(ends)), straight[numbers]
+
+
+def lie_inside(starts: ComplexArray, ends: ComplexArray, boundary: ComplexArray) -> BoolArray:
+    """Return whether lines between vertices of a boundary lie inside it, and do not meet it."""
+    inner = starts[:, None] + (ends - starts)[:, None] * np.array([0.02, 0.25, 0.5, 0.75, 0.98])
+    inside = (winding_numbers(inner.ravel(), boundary) != 0).reshape(inner.shape).all(axis=1)
+    left = np.flatnonzero(inside)
+    inside[left] = ~meet(starts[left], ends[left], boundary)
+    return inside
+
+
+def meet(starts: ComplexArray, ends: ComplexArray, boundary: ComplexArray) -> BoolArray:
+    """Return whether lines cross a boundary."""
+    start, end = starts[:, None], ends[:, None]
+    following = rolled(boundary, -1)
+    back, edges = np.conj(end - start), np.conj(following - boundary)
+    sides = [(back * (each - start)).imag for each in (boundary, following)]
+    own_sides = [(edges * (each - boundary)).imag for each in (start, end)]
+    return ((sides[0] * sides[1] < 0.0) & (own_sides[0] * own_sides[1] < 0.0)).any(axis=1)

@@ -10,7 +10,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, PlacedContour
 from shapeblend_cli.anatomy.rows import Row, rows_of
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.cutting import left_of, run_of_segments, with_vertices
+from shapeblend_cli.geometry.cutting import left_of, lie_inside, meet, run_of_segments, with_vertices
 from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import are_near, nearest_places, thin
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import BoolArray, ComplexArray, FloatArray, IntArray
     from shapeblend_cli.options.settings import Settings
 
 
@@ -31,6 +31,12 @@ ENDS = 240
 
 TRIES = 400
 """Maximum number of cuts, the cheapest first, that are checked for lying inside."""
+
+AT_ONCE = 8
+"""Number of these that are checked at first."""
+
+MORE = 4
+"""Number by which that is multiplied as long as none lies inside."""
 
 LEAST_SHARE = 0.02
 """Minimum area of a piece, as a share of the whole."""
@@ -318,12 +324,16 @@ class _Outline(NamedTuple):
     holes: Sequence[Polygon]
     goes_around: bool  # whether cuts that are upright or level go around holes, as all others do
 
-    def may_be_cut(self, start: complex, end: complex) -> bool:
-        """Return whether the line between two points of the contour lies inside, and meets no hole that it must not."""
-        boundaries = [self.polygon.vertices]
-        if self.goes_around or not _is_straight(end - start):
-            boundaries += [hole.vertices for hole in self.holes]
-        return _lies_inside(start, end, boundaries)
+    def may_be_cut(self, starts: ComplexArray, ends: ComplexArray) -> BoolArray:
+        """Return whether lines between points of the contour lie inside, and meet no hole that they must not."""
+        inside = lie_inside(starts, ends, self.polygon.vertices)
+        for hole in self.holes:
+            left = np.flatnonzero(inside)
+            if not self.goes_around:
+                chords = ends[left] - starts[left]
+                left = left[[not _is_straight(chord) for chord in chords.tolist()]]
+            inside[left] = ~meet(starts[left], ends[left], hole.vertices)
+        return inside
 
 
 def _pieces(
@@ -332,17 +342,16 @@ def _pieces(
     """Cut a contour into a piece for each partner, by halves; None if no cut lies inside."""
     if len(partners) == 1:
         return [(outline.contour, partners[0])]
-    halved = _halved(partners)
-    cuts = [
-        _best_cut(outline, _area(first) / _area([*first, *second]), _centre(second) - _centre(first))
-        for first, second in halved
-    ]
-    best = min(range(len(cuts)), key=lambda k: cuts[k][0])
-    cost, i, j = cuts[best]
+    best: tuple[float, int, int] = (np.inf, 0, 0)
+    for halves in _halved(partners):
+        share = _area(halves[0]) / _area([*halves[0], *halves[1]])
+        found = _best_cut(outline, share, _centre(halves[1]) - _centre(halves[0]), best[0])
+        if found is not None:
+            best, (first, second) = found, halves
+    cost, i, j = best
     if not np.isfinite(cost):
         return None
     pieces: list[tuple[Contour, PlacedContour]] = []
-    first, second = halved[best]
     polygon, i, j = _straightened(outline, i, j, _area(first) / _area([*first, *second]))
     for some, (start, end) in zip((first, second), ((i, j), (j, i)), strict=True):
         contour = _section(outline.contour, polygon, start, end)
@@ -383,10 +392,11 @@ def _area(contours: Sequence[PlacedContour]) -> float:
     return sum(contour.area for contour in contours)
 
 
-def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, int, int]:
-    """Return the cost of the best straight cut, infinite if none lies inside, and the end vertices of the first piece.
+def _best_cut(outline: _Outline, share: float, offset: complex, most: float) -> tuple[float, int, int] | None:
+    """Return the cost of the best straight cut, and the end vertices of the first piece.
 
-    The first piece has about a share of the area, and the rest lies in the direction of an offset from it.
+    The first piece has about a share of the area, and the rest lies in the direction of an offset from it. None if no
+    cut of a cost below `most` lies inside.
     """
     z = outline.polygon.vertices
     ends = np.round(np.linspace(0, len(z), min(ENDS, len(z)), endpoint=False)).astype(np.intp)
@@ -403,11 +413,17 @@ def _best_cut(outline: _Outline, share: float, offset: complex) -> tuple[float, 
     cost[~((shares > LEAST_SHARE) & (shares < 1.0 - LEAST_SHARE) & np.isfinite(cost))] = np.inf
     costs, last = cost.ravel(), min(TRIES, cost.size) - 1
     cheap = np.flatnonzero(costs <= np.partition(costs, last)[last])  # sorting all takes five times as long
-    for flat in cheap[np.argsort(costs[cheap], kind="stable")][:TRIES]:
-        p, q = np.unravel_index(flat, cost.shape)
-        if np.isfinite(cost[p, q]) and outline.may_be_cut(complex(z[ends[p]]), complex(z[ends[q]])):
-            return float(cost[p, q]), int(ends[p]), int(ends[q])
-    return np.inf, 0, 0
+    cheap = cheap[np.argsort(costs[cheap], kind="stable")][:TRIES]
+    p, q = np.unravel_index(cheap[costs[cheap] < most], cost.shape)
+    first, count = 0, AT_ONCE
+    while first < len(p):
+        some = slice(first, first + count)
+        inside = np.flatnonzero(outline.may_be_cut(z[ends[p[some]]], z[ends[q[some]]]))
+        if len(inside):
+            k = first + int(inside[0])
+            return float(cost[p[k], q[k]]), int(ends[p[k]]), int(ends[q[k]])
+        first, count = first + count, MORE * count
+    return None
 
 
 def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Polygon, int, int]:
@@ -437,7 +453,7 @@ def _straightened(outline: _Outline, i: int, j: int, share: float) -> tuple[Poly
     finer = with_vertices(polygon, np.array(places))
     start, end = (int(np.floor(place)) + 1 + (place > min(places)) for place in places)
     fine = outline._replace(polygon=finer)
-    is_inside = fine.may_be_cut(complex(finer.vertices[start]), complex(finer.vertices[end]))
+    is_inside = fine.may_be_cut(finer.vertices[[start]], finer.vertices[[end]]).item()
     return (finer, start, end) if is_inside else (polygon, i, j)
 
 
@@ -472,21 +488,6 @@ def _halves(z: ComplexArray, ends: IntArray) -> tuple[FloatArray, ComplexArray]:
     )
     with np.errstate(divide="ignore", invalid="ignore"):
         return area / total, (total_moment - moment) / (total - area) - moment / area
-
-
-def _lies_inside(start: complex, end: complex, boundaries: Sequence[ComplexArray]) -> bool:
-    """Return whether a line between two vertices of the first boundary lies inside it, and meets no boundary."""
-    chord = end - start
-    inner = start + chord * np.array([0.02, 0.25, 0.5, 0.75, 0.98])
-    if not winding_numbers(inner, boundaries[0]).all():
-        return False
-    for p in boundaries:
-        q = np.roll(p, -1)
-        side_p, side_q = ((np.conj(chord) * (w - start)).imag for w in (p, q))
-        side_start, side_end = ((np.conj(q - p) * (w - p)).imag for w in (start, end))
-        if ((side_p * side_q < 0.0) & (side_start * side_end < 0.0)).any():
-            return False
-    return True
 
 
 def _section(contour: Contour, polygon: Polygon, i: int, j: int) -> Contour:
