@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import distinct
-from shapeblend_cli.matching.solve import least_work
+from shapeblend_cli.matching.solve import NothingLess, Search, least_work
 from shapeblend_cli.matching.work import Wires
 
 if TYPE_CHECKING:
@@ -21,15 +21,23 @@ _COINCIDENT = 1e-6
 """Maximum distance of vertices that are one, in unit boxes."""
 
 
-def rough_work(p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants) -> float:
+def rough_work(
+    p0: ComplexArray, p1: ComplexArray, closed: bool, constants: WorkConstants, most: float = np.inf
+) -> float:
     """Return the least work between two polygons in their unit boxes, on a few of their vertices.
 
-    Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon.
+    Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon, or if closed
+    ones take more than the maximum that is of use.
     """
     p, q = _thinned(p0, closed), _thinned(p1, closed)
     if min(len(p), len(q)) < (3 if closed else 2):
         return np.inf
-    directions = [q] if closed else [q, q[::-1]]
+    if closed:
+        try:
+            return least_work(Wires(p, q, closed, constants), Search(most=most)).work
+        except NothingLess:
+            return np.inf
+    directions = [q, q[::-1]]
     return min(least_work(Wires(p, directed, closed, constants)).work for directed in directions)
 
 
