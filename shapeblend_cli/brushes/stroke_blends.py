@@ -54,27 +54,55 @@ class Matched(NamedTuple):
     motion: Brushes
 
 
-def matched(
-    a: Sequence[Brush], b: Sequence[Brush], wires: Settings | None = None, *, turns: bool = False
-) -> Matched | None:
-    """Match the strokes of two drawings, vertices by even lengths or along wires, with settings for these.
+class PairedStrokes(NamedTuple):
+    """The strokes of two drawings, their centre lines, and for those that become each other their polylines then."""
 
-    Strokes turn as they go, or only where they would shrink otherwise. None if a stroke is too crooked for its vertices
-    to be found along it.
-    """
+    brushes: tuple[Sequence[Brush], Sequence[Brush]]
+    lines: tuple[list[PenLine], list[PenLine]]
+    ways: dict[tuple[int, int], Polylines]
+
+
+class Vertices(NamedTuple):
+    """The vertices of two strokes that become each other, and their outlines beside these."""
+
+    points: Polylines
+    offsets: tuple[Offsets, Offsets]
+
+
+def paired_strokes(a: Sequence[Brush], b: Sequence[Brush]) -> PairedStrokes:
+    """Return which strokes of two drawings become each other."""
     lines = [_line(brush) for brush in a], [_line(brush) for brush in b]
-    chosen = _partners(*lines)
-    found: list[Becoming] = []
-    for (i, j), ways in chosen.items():
-        p, q = lines[0][i], lines[1][j]
+    return PairedStrokes((a, b), lines, _partners(*lines))
+
+
+def vertices_of(paired: PairedStrokes, wires: Settings | None = None) -> list[Vertices] | None:
+    """Return the vertices of all pairs, by even lengths or along wires, with settings for these.
+
+    None if a stroke is too crooked for its vertices to be found along it.
+    """
+    found = []
+    for (i, j), ways in paired.ways.items():
+        p, q = paired.lines[0][i], paired.lines[1][j]
         if wires is None or p.closed or q.closed:
             points = _alike(*ways)
         else:
             points = _refined(*along_wires(p, q, [], wires, 1.0))
-        offsets = _offsets(a[i], p, points[0]), _offsets(b[j], q, points[1])
-        if offsets[0] is None or offsets[1] is None:
+        first = _offsets(paired.brushes[0][i], p, points[0])
+        last = _offsets(paired.brushes[1][j], q, points[1])
+        if first is None or last is None:
             return None
-        found.append(Becoming(between(*points, always=turns), *_with_alike_caps(offsets[0], offsets[1])))
+        found.append(Vertices(points, _with_alike_caps(first, last)))
+    return found
+
+
+def matched(paired: PairedStrokes, vertices: Sequence[Vertices], *, turns: bool = False) -> Matched | None:
+    """Return how strokes become each other.
+
+    They turn as they go, or only where they would shrink otherwise. None if one without a partner is too crooked for
+    its vertices to be found along it.
+    """
+    (a, b), lines, chosen = paired
+    found = [Becoming(between(*each.points, always=turns), *each.offsets) for each in vertices]
     numbers = {i: k for k, (i, _) in enumerate(chosen)}, {j: k for k, (_, j) in enumerate(chosen)}
     pairs: list[tuple[int | None, int | None]] = list(chosen)
     every: list[Becoming | Alone] = [

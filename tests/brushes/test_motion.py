@@ -5,7 +5,7 @@ import pytest
 
 from shapeblend_cli.brushes.areas import Region
 from shapeblend_cli.brushes.sides import brushes_of
-from shapeblend_cli.brushes.stroke_blends import matched
+from shapeblend_cli.brushes.stroke_blends import matched, paired_strokes, vertices_of
 from shapeblend_cli.brushes.strokes import strokes_of
 from shapeblend_cli.geometry.polygons import signed_area
 from tests.support.handwriting import letter_s, stroke
@@ -21,6 +21,12 @@ def brushes(*rings):
     return [brush for region in regions for brush in brushes_of(region, strokes_of(region))]
 
 
+def becoming(a, b, turns=False):
+    """How strokes become others."""
+    paired = paired_strokes(a, b)
+    return matched(paired, vertices_of(paired), turns=turns)
+
+
 def widths(outline, at):
     """How wide an outline is along the line at a height, or at each of some."""
     following = np.roll(outline, -1)
@@ -34,7 +40,7 @@ def widths(outline, at):
 
 @pytest.mark.parametrize("turns", [False, True])
 def test_strokes_keep_their_width(turns):
-    found = matched(brushes(letter_s()), brushes(POST), turns=turns)
+    found = becoming(brushes(letter_s()), brushes(POST), turns)
     assert found.pairs == [(0, 0)]
     (outline,) = found.motion.outlines(0.9)
     assert np.abs(widths(outline, [9.0, 12.0, 15.0]) - 1.6).max() < 0.4
@@ -42,20 +48,20 @@ def test_strokes_keep_their_width(turns):
 
 def test_both_ends_are_exact():
     a, b = brushes(letter_s()), brushes(POST)
-    found = matched(a, b)
+    found = becoming(a, b)
     for t, (brush,) in ((0.0, a), (1.0, b)):
         (outline,) = found.motion.outlines(t)
         assert abs(signed_area(outline)) == pytest.approx(abs(signed_area(brush.polygon)), rel=0.01)
 
 
 def test_a_stroke_that_turns_keeps_its_length():
-    found = matched(brushes(BAR), brushes(POST), turns=True)
+    found = becoming(brushes(BAR), brushes(POST), turns=True)
     (outline,) = found.motion.outlines(0.5)
     assert np.abs(outline[:, None] - outline).max() > 17.0
 
 
 def test_strokes_in_parts_of_their_own_come_in_place():
-    found = matched(brushes(POST), brushes(POST, SHORT + 6.0))
+    found = becoming(brushes(POST), brushes(POST, SHORT + 6.0))
     assert found.pairs == [(0, 0), (None, 1)]
     early, late = (found.motion.outlines(t)[1] for t in (0.2, 0.9))
     assert np.ptp(early.imag) < 0.5 * np.ptp(late.imag)
@@ -64,11 +70,11 @@ def test_strokes_in_parts_of_their_own_come_in_place():
 
 def test_dots_become_only_dots():
     dot = 12.0 + 3.0j + 1.2 * np.exp(2j * np.pi * np.arange(40) / 40.0)
-    found = matched(brushes(dot, SHORT), brushes(POST))
+    found = becoming(brushes(dot, SHORT), brushes(POST))
     assert sorted(found.pairs, key=str) == [(0, None), (1, 0)]
 
 
 def test_what_is_scaled_is_as_many_times_as_large():
-    motion = matched(brushes(letter_s(), BAR), brushes(POST)).motion
+    motion = becoming(brushes(letter_s(), BAR), brushes(POST)).motion
     for one, other in zip(motion.outlines(0.3), motion.scaled(2.0).outlines(0.3), strict=True):
         assert np.abs(2.0 * one - other).max() < 1e-9

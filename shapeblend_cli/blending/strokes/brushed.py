@@ -83,7 +83,7 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     grade = grade_of_shapes(usual, view)
     if grade <= FINE:
         return usual
-    from shapeblend_cli.brushes.stroke_blends import matched  # few drawings are handwriting
+    from shapeblend_cli.brushes import stroke_blends  # few drawings are handwriting
 
     brushes_a = _brushes(a, thicknesses[0], scale)
     brushes_b = _brushes(b, thicknesses[1], scale) if brushes_a is not None else None
@@ -91,8 +91,10 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         return usual
     brushes = brushes_a, brushes_b
     best = grade - BETTER
-    for wires, turns in product((None, settings), (False, True)):
-        found = matched(brushes[0], brushes[1], wires, turns=turns)
+    paired = stroke_blends.paired_strokes(*brushes)
+    ways = (stroke_blends.vertices_of(paired, wires) for wires in (None, settings))
+    for vertices, turns in product(ways, (False, True)):
+        found = None if vertices is None else stroke_blends.matched(paired, vertices, turns=turns)
         if found is None:
             continue
         shape = _shape(found, brushes, (a, b), settings, scale)
