@@ -161,12 +161,11 @@ def _in_outline_alone(
     a: PlacedDrawing,
     b: PlacedDrawing,
     wanted: list[tuple[int, int]],
-) -> Shapes:
-    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted."""
+) -> tuple[Shapes, float]:
+    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted, and grade that."""
     move = partial(_blended, view=view)
     paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
-    shapes = with_points_nearer(paired, move(paired), move, view)
-    return with_parts_paced(shapes, view.larger_side, None, by_size=True)
+    return with_points_nearer(paired, move(paired), move, view)
 
 
 def _in_outlines(

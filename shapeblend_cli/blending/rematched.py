@@ -6,7 +6,7 @@ which another one grows.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect
 from shapeblend_cli.blending.matched import pair_drawings
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ShapeBlend
 
     Shapes = tuple[ShapeBlend, ...]
-    Graded = tuple[float, PairedDrawings, Shapes]
 
 FLAWED = 0.95
 """Minimum grade of a blend for other ways to be tried, which take as long as all the rest."""
@@ -41,6 +40,21 @@ TORN = 0.35
 
 FAR = 0.25
 """Maximum distance from a piece to its partner, in sizes of the largest contour."""
+
+
+class _Graded(NamedTuple):
+    """A blend, and how good it looks."""
+
+    grade: float
+    paired: PairedDrawings
+    shapes: Shapes
+    paced: Shapes  # as they are seen: parts without a partner leave early and come late
+
+    @classmethod
+    def of(cls, paired: PairedDrawings, shapes: Shapes, view: Box) -> _Graded:
+        """Grade the blend of paired drawings in a view."""
+        paced = with_parts_paced(shapes, view.larger_side, None, by_size=True)
+        return cls(grade_of_shapes(paced, view), paired, shapes, paced)
 
 
 def with_other_matches(
@@ -62,54 +76,49 @@ def with_other_matches(
     large = [shape for shape in usual if shape.size >= LARGE * view.larger_side]
     if paired.is_fixed or is_plain_pair or not is_suspect(large):
         return paired, usual
-    grade = _grade(usual, view)
-    if grade < FLAWED:
+    first = _Graded.of(paired, usual, view)
+    if first.grade < FLAWED:
         return paired, usual
-    least = _nearer((grade, paired, usual), move, view)
-    found = least if least[0] < grade - NEARER else (grade, paired, usual)
+    least = _nearer(first, move, view)
+    found = least if least.grade < first.grade - NEARER else first
     pieces = _in_pieces(paired, works) if may_cut else None
     if pieces is not None:
-        stiffnesses = sorted({paired.settings.k_t, least[1].settings.k_t})
+        stiffnesses = sorted({paired.settings.k_t, least.paired.settings.k_t})
         cut = min((_graded(_stiffer(pieces, each), move, view) for each in stiffnesses), key=_number)
-        if cut[0] < found[0] - TORN:
+        if cut.grade < found.grade - TORN:
             found = cut
-    return found[1:]
+    return found.paired, found.shapes
 
 
 def with_points_nearer(
     paired: PairedDrawings, usual: Shapes, move: Callable[[PairedDrawings], Shapes], view: Box
-) -> Shapes:
+) -> tuple[Shapes, float]:
     """Return the blend of paired drawings, or one whose points stay nearer to their places if that looks better.
 
-    `move` blends paired drawings. However good the blend is, others are tried.
+    `move` blends paired drawings. However good the blend is, others are tried. Its parts without a partner leave early
+    and come late; its grade is returned with it.
     """
-    grade = _grade(usual, view)
-    least = _nearer((grade, paired, usual), move, view)
-    return least[2] if least[0] < grade - NEARER else usual
+    first = _Graded.of(paired, usual, view)
+    least = _nearer(first, move, view)
+    found = least if least.grade < first.grade - NEARER else first
+    return found.paced, found.grade
 
 
-def _nearer(usual: Graded, move: Callable[[PairedDrawings], Shapes], view: Box) -> Graded:
+def _nearer(usual: _Graded, move: Callable[[PairedDrawings], Shapes], view: Box) -> _Graded:
     """Return the best one of a blend and those whose points stay nearer to their places."""
-    paired = usual[1]
-    if paired.settings.is_given("k_t"):
+    if usual.paired.settings.is_given("k_t"):
         return usual
-    others = [_graded(_stiffer(paired, stiffness), move, view) for stiffness in IN_PLACE]
+    others = [_graded(_stiffer(usual.paired, stiffness), move, view) for stiffness in IN_PLACE]
     return min([usual, *others], key=_number)
 
 
-def _number(graded: Graded) -> float:
-    return graded[0]
+def _number(graded: _Graded) -> float:
+    return graded.grade
 
 
-def _grade(shapes: Shapes, view: Box) -> float:
-    """Return the grade of a blend as it is seen: its parts without a partner leave early and come late."""
-    return grade_of_shapes(with_parts_paced(shapes, view.larger_side, None, by_size=True), view)
-
-
-def _graded(paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box) -> Graded:
-    """Return the grade of the blend of paired drawings in a view, with both."""
-    shapes = move(paired)
-    return _grade(shapes, view), paired, shapes
+def _graded(paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box) -> _Graded:
+    """Blend paired drawings in a view, and grade that."""
+    return _Graded.of(paired, move(paired), view)
 
 
 def _stiffer(paired: PairedDrawings, stiffness: float) -> PairedDrawings:

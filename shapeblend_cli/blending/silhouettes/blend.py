@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     Shapes = tuple[ShapeBlend, ...]
     Wanted = list[tuple[int, int]]
-    Blend = Callable[[PlacedDrawing, PlacedDrawing, Wanted], Shapes]
+    Blend = Callable[[PlacedDrawing, PlacedDrawing, Wanted], tuple[Shapes, float]]
 
 DETAILED = 5.0
 """Minimum length of the outlines of a drawing that may be torn, in sides of the view."""
@@ -124,7 +124,8 @@ def with_silhouettes(
 ) -> Shapes:
     """Return the blend in which gaps close and open, if that of the silhouettes looks far better than the usual one.
 
-    The drawings are plain, see `is_plain`; `blend` blends two of them, with pairs of contours that are wanted.
+    The drawings are plain, see `is_plain`; `blend` blends two of them, with pairs of contours that are wanted, and
+    grades that.
     """
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
@@ -136,12 +137,11 @@ def with_silhouettes(
         sides = _sides(a, b, rim, settings, view.larger_side, radius)
         if sides is None:
             return None
-        shapes = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
-        return sides, shapes, grade_of_shapes(shapes, view)
+        return sides, *blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
 
     for width in WIDTHS:
-        if grade < width.least or not is_suspect(usual, width.fault):
-            continue
+        if grade < max(width.least, width.better) or not is_suspect(usual, width.fault):
+            continue  # no grade is below 0
         found = closed(width.radius)
         if found is None or found[2] > min(width.most, grade - width.better):
             continue

@@ -143,12 +143,13 @@ def test_with_its_gaps_the_blend_looks_little_worse_than_usual(worse, may_close,
     assert closes(two()) == may_close
 
 
-def test_gaps_of_one_width_close_once(monkeypatch):
+@pytest.mark.parametrize(("better", "times"), [(0.0, 1), (3.0, 0)])
+def test_gaps_of_one_width_close_once_and_only_if_that_may_look_better(better, times, monkeypatch):
     found = []
-    monkeypatch.setattr(blend, "WIDTHS", 2 * (Width(0.03, 0.0, 3.0, 9.0, 0.0),))
+    monkeypatch.setattr(blend, "WIDTHS", 2 * (Width(0.03, 0.0, better, 9.0, 0.0),))
     monkeypatch.setattr(blend, "_sides", lambda *arguments: found.append(arguments))
     assert not closes(two())
-    assert len(found) == 1
+    assert len(found) == times
 
 
 def test_what_users_ask_for_is_left_as_it_is():
