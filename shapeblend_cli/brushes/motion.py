@@ -272,7 +272,7 @@ def _unfolded(side: ComplexArray, ways: ComplexArray) -> ComplexArray:
         bounds = np.flatnonzero(np.diff(np.concatenate([[0], is_back.astype(np.int8), [0]])))
         for first, last in bounds.reshape(-1, 2).tolist():
             run = side[first : last + 1]
-            run[:] = np.add.reduce(run) / len(run)  # as its method `mean` has it, which takes several times as long
+            run[:] = np.add.reduce(run) / len(run)  # the mean; the method takes several times as long
         new = ((side[1:] - side[:-1]) * ways[1:].conj()).real < -1e-9
         is_back = is_back | new if new.any() else new
     return side
