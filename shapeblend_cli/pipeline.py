@@ -70,7 +70,7 @@ def match_all(
 
     def matched(settings: Settings) -> list[Pair]:
         count = len(laid) - 1
-        parts = [Progress(clock, kept.steps, watch, (k, count)) for k in range(count)]
+        parts = [Progress(clock, kept.steps, watch, (k, count), kept) for k in range(count)]
         return [_pair(laid, 0 if mixes else k, k + 1, settings, part) for k, part in enumerate(parts)]
 
     pairs = matched(settings)

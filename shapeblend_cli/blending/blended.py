@@ -318,9 +318,7 @@ def _pens(
         return None
     scale = UNITS / view.larger_side
     pens = tuple(
-        progress.once(
-            "pens", (side.drawing, *side.contours), scale, partial(pen_drawing, side, scale, MOST_LINES)
-        )
+        progress.once_for("pens", side, scale, partial(pen_drawing, side, scale, MOST_LINES))
         for side in (a, b)
     )
     return (pens[0], pens[1]) if any(pen.lines for pen in pens) else None

@@ -38,6 +38,9 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
+NOTHING = Kept(0)
+"""Nothing that is kept."""
+
 
 class Progress(NamedTuple):
     """The clock and the observer of one of several pairs, and the steps that are kept for the next run."""
@@ -46,6 +49,7 @@ class Progress(NamedTuple):
     steps: Kept
     watch: Callable[[str, float], None] = lambda stage, share: None
     pair: tuple[int, int] = (0, 1)  # its number, and how many there are
+    drawings: Kept = NOTHING  # what was made of single drawings
 
     def keeping(self, most: int) -> Progress:
         """Return the same with steps of its own, at most so many, unless steps are kept already."""
@@ -53,17 +57,29 @@ class Progress(NamedTuple):
 
     def once(self, step: str, objects: Sequence[object], given: Hashable, make: Callable[[], T]) -> T:
         """Return a step made of objects: as it was kept, else as it is made now."""
-        key = step, *map(id, objects), given
-        found = self.steps.find(key)
-        if found is None:
-            found = objects, make()  # as long as the objects are kept, no others have their ids
-            self.steps.keep(key, found, size=0)
-        made: T = found[1]
-        return made
+        return _once(self.steps, (step, *map(id, objects), given), objects, make, 0)
+
+    def once_for(self, step: str, placed: PlacedDrawing, given: Hashable, make: Callable[[], T]) -> T:
+        """Return a step made of a drawing alone: as it was kept, also for other pairs, else as it is made now."""
+        objects = placed.drawing, *placed.contours
+        if self.steps.keeps:
+            return self.once(step, objects, given, make)
+        size = placed.drawing.bytes_of_segments
+        return _once(self.drawings, (step, *map(id, objects), given), objects, make, size)
 
     def tell(self, stage: str, share: float) -> None:
         """Say how much of a stage is done, from 0 to 1."""
         self.watch(stage, (self.pair[0] + share) / self.pair[1])
+
+
+def _once(kept: Kept, key: Hashable, objects: Sequence[object], make: Callable[[], T], size: int) -> T:
+    """Return what is kept by a key, or what is made now of objects and a number of bytes."""
+    found = kept.find(key)
+    if found is None:
+        found = objects, make()  # as long as the objects are kept, no others have their ids
+        kept.keep(key, found, size)
+    made: T = found[1]
+    return made
 
 
 class PairedDrawings(NamedTuple):

@@ -77,14 +77,20 @@ def flattened(
 def _contours(
     drawing: Drawing, to_a: Similarity, vertices: int, orientation: int | None, kept: Kept
 ) -> tuple[list[PlacedContour], list[str]]:
-    """Decompose a drawing, unless that is kept."""
+    """Decompose a drawing, unless that is kept.
+
+    What is kept is oriented as the drawing is, if that will do: so it is the same whichever drawing comes first.
+    """
+    if kept.keeps and orientation is not None:
+        own = _contours(drawing, to_a, vertices, None, kept)
+        if main_orientation([contour.polygon for contour in own[0]]) == orientation:
+            return own
     # The drawing is kept with its contours, so that no other object gets its id.
     key = id(drawing), to_a, vertices, orientation
     found = kept.find(key)
     if found is None:
         found = drawing, decompose(drawing, to_a, vertices, orientation)
-        size = sum(contour.segments.nbytes for shape in drawing.shapes for contour in shape.contours)
-        kept.keep(key, found, size)
+        kept.keep(key, found, drawing.bytes_of_segments)
     contours: tuple[list[PlacedContour], list[str]] = found[1]
     return contours
 

@@ -226,6 +226,11 @@ class Drawing(NamedTuple):
     notes: tuple[str, ...] = ()
     page: Page = Page()
 
+    @property
+    def bytes_of_segments(self) -> int:
+        """The size of all segments, in bytes."""
+        return sum(contour.segments.nbytes for shape in self.shapes for contour in shape.contours)
+
 
 @dataclass(frozen=True, eq=False)
 class Polygon:
