@@ -30,13 +30,17 @@ little: late, it would be a speck in what is nearly drawn."""
 
 LEAVES = 0.75
 """Share of the time by which the smallest part without a partner is gone before the end: shrunk, it would be a crumb in
-another shape. One of half the view's side has half of it, and one that fills the view takes all of the time."""
+another shape. It falls with the size, to `LEAST_LEAVES`."""
+
+LEAST_LEAVES = 0.6
+"""Minimum share of the time by which a part without a partner is gone before the end: shrunk, even a large one would be
+a small picture of itself on another drawing, as the arms of a crab on a hen."""
 
 APPEARS = 0.58
 """Share of the time by which the smallest part without a partner comes after the start to what changes much, when that
-is near its own form. It falls as that of parts that leave, to none at `LARGE`, and with the change."""
+is near its own form. It falls with the size, to none at `LARGE`, and with the change."""
 
-MOST_LEAVES = 0.3
+MOST_LEAVES = 0.5
 """Share of the time by which parts are gone before the end if most of a drawing has no partner and would be missed."""
 
 MOST_COMES = 0.05
@@ -311,8 +315,9 @@ def shares_by_size(
         host = alone.get((None, around) if contour.grows else (around, None)) if around is not None else None
         if host is not None and (host[0] == number or size > SAME * _size(host[1])):
             return share(*host)
-        most, large = (appears, LARGE) if contour.grows else (LEAVES, 1.0)
-        return most * max(0.0, 1.0 - size / (large * side))
+        if contour.grows:
+            return appears * max(0.0, 1.0 - size / (LARGE * side))
+        return max(LEAST_LEAVES, LEAVES * (1.0 - size / side))
 
     return _together({numbers: share(*found) for numbers, found in alone.items()})
 
