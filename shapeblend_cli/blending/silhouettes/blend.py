@@ -94,7 +94,7 @@ WIDTHS = (
 )
 """Widths of gaps that are tried until one looks good enough: wide gaps may also be between parts that stand apart."""
 
-WORSE = 0.6
+WORSE = 0.9
 """Maximum disadvantage of the blend with its gaps, in grades: the judge misses the detail of gaps that are closed."""
 
 
@@ -110,6 +110,11 @@ class _Side(NamedTuple):
     def largest(self) -> int:
         """The number of the largest outline."""
         return max(self.silhouette.contours, key=lambda contour: contour.area).number
+
+    @property
+    def edges(self) -> float:
+        """The length of the edges of all gaps."""
+        return sum(float(np.abs(np.diff(self.rim.points[line])).sum()) for line in self.parted.gaps)
 
     def same_hole(self, hole: PlacedContour) -> int | None:
         """Return the number of a hole of the drawing in the largest outline, if it is there."""
@@ -266,14 +271,15 @@ def _riding(shapes: Shapes, sides: tuple[_Side, _Side], view: float) -> ShapeBle
 
     As these run against the outlines, by the nonzero rule they are cut out.
     """
-    from shapeblend_cli.blending.silhouettes.riding import Riding, edge_of, nodes
+    from shapeblend_cli.blending.silhouettes.riding import Riding, closing_times, edge_of, nodes
 
     outlines = [contour for shape in shapes for contour in shape.contours]
     first, last = nodes(outlines)
+    until = closing_times(sides[0].edges, sides[1].edges)
     edges, growing = [], []
     for here, side in enumerate(sides):
         for line in side.parted.gaps:
-            edge = edge_of(side.rim, side.parted, line, outlines, here, EXACT * view)
+            edge = edge_of(side.rim, side.parted, line, outlines, here, until[here], EXACT * view)
             closed = cubics.lines(edge.at(first - last if here else last - first, 1.0 - here), closed=True)
             number = side.drawing.contours[int(side.rim.contour[line[0]])].number
             edges.append(edge)

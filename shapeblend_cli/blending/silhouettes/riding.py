@@ -18,13 +18,14 @@ if TYPE_CHECKING:
     from shapeblend_cli.blending.silhouettes.ground import Parted, Rim
     from shapeblend_cli.model import ComplexArray, ContourBlend, FloatArray, IntArray, ShapeBlend
 
-MEETING = 0.5
-"""Time at which all gaps are closed."""
+EARLY = 0.4
+"""Time, from its end on, at which the gaps of the drawing that has less of them are closed: those of the other one are
+open from then on, so that the silhouette is blank for a moment only, and not where it has least of both drawings."""
 
 OVER = 0.15
 """Share of the way by which edges go beyond each other, so that no light is seen between them."""
 
-LATE = 2
+LATE = 4
 """Power of the share of the time until then that is the share of the way of edges: narrow gaps look like cracks."""
 
 FALL = 3
@@ -48,10 +49,11 @@ class Edge(NamedTuple):
     weights: FloatArray  # of the nodes of the outlines, for each point
     met: FloatArray  # the same for each middle
     here: int  # 0 in A, 1 in B
+    until: float  # when it is closed, as time from its drawing on
 
     def at(self, shift: ComplexArray, t: float) -> ComplexArray:
         """Return the edge at time t, where the nodes are moved by a shift from their places in its drawing."""
-        share = (1.0 - t if self.here else t) / MEETING
+        share = (1.0 - t if self.here else t) / self.until
         there = self.middles + _moved(self.met, shift)
         if share >= 1.0:
             return np.full_like(there, there.mean())
@@ -99,15 +101,26 @@ def _moved(weights: FloatArray, shift: ComplexArray) -> ComplexArray:
     return np.ascontiguousarray(both).view(np.complex128).ravel()
 
 
+def closing_times(a: float, b: float) -> tuple[float, float]:
+    """Return when gaps are closed whose edges have some lengths in A and in B, each as time from its drawing on."""
+    return (EARLY, 1.0 - EARLY) if a < b else (1.0 - EARLY, EARLY)
+
+
 def edge_of(
-    rim: Rim, found: Parted, line: IntArray, outlines: Sequence[ContourBlend], here: int, most: float
+    rim: Rim,
+    found: Parted,
+    line: IntArray,
+    outlines: Sequence[ContourBlend],
+    here: int,
+    until: float,
+    most: float,
 ) -> Edge:
-    """Return an edge of a gap that rides on outlines, by points that stray from it by a distance at most."""
+    """Return an edge of a gap that rides on outlines until a time, by points that stray from it by so much at most."""
     points, middles = rim.points[line], _middles(rim, found, line)
     keep = needed(points, most) | needed(middles, most) | np.isin(line, list(found.across))
     points, middles = points[keep], middles[keep]
     weights = [_weights(each, outlines, here) for each in (points, middles)]
-    return Edge(points, middles, weights[0], weights[1], here)
+    return Edge(points, middles, weights[0], weights[1], here, until)
 
 
 def _middles(rim: Rim, found: Parted, line: IntArray) -> ComplexArray:
