@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import partial
+from functools import lru_cache, partial
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing
@@ -157,8 +157,14 @@ class PairedDrawings(NamedTuple):
     @property
     def _unnamed_settings(self) -> str:
         """The settings that matches depend on, without those that are in the constraints of each pair."""
-        named = dict.fromkeys(("pins", "match", "start", "frames", "ends", "ease"))
-        return repr(self.settings.replace(**named))
+        return _unnamed(self.settings)
+
+
+@lru_cache(maxsize=8)
+def _unnamed(settings: Settings) -> str:
+    """Return settings as a text, without those that are in the constraints of each pair."""
+    named = dict.fromkeys(("pins", "match", "start", "frames", "ends", "ease"))
+    return repr(settings.replace(**named))
 
 
 def is_star(settings: Settings) -> bool:
