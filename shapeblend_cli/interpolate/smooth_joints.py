@@ -87,18 +87,24 @@ def divide_lines(
         Pieces that are lines, or points.
     closed : bool
     """
-    are_lines = np.stack([line_a, line_b]).view(np.uint8)
-    both = np.stack([segments_a, segments_b])
-    places = both.view(np.float64)
-    if not _match_speeds(places, are_lines):
+    free = line_a ^ line_b
+    if not free.any():
         return segments_a, segments_b
+    both = np.empty((2, *segments_a.shape), np.complex128)
+    both[0], both[1] = segments_a, segments_b
+    are_lines = np.empty((2, len(line_a)), np.uint8)
+    are_lines[0], are_lines[1] = line_a, line_b
+    places = both.view(np.float64)
+    _match_speeds(places, are_lines)
     _keep_smooth(places, are_lines, _ways(both), closed, np.empty((2, len(line_a))))
     return both[0], both[1]
 
 
 def _ways(both: ComplexArray) -> FloatArray:
     """Return the directions at the starts and the ends of the pieces of A, then at those of B, (4, s, 2)."""
-    ways = np.stack([*cubics.directions(both[0]), *cubics.directions(both[1])])
+    ways = np.empty((4, both.shape[1]), np.complex128)
+    for side in (0, 1):
+        ways[2 * side], ways[2 * side + 1] = cubics.directions(both[side])
     return ways.view(np.float64).reshape(4, -1, 2)
 
 
@@ -147,18 +153,15 @@ def _set_handles(
 @cython.boundscheck(False)
 @cython.wraparound(False)
 @cython.cdivision(True)
-def _match_speeds(places: cython.double[:, :, ::1], lines: cython.const[cython.uchar][:, ::1]) -> bool:
+def _match_speeds(places: cython.double[:, :, ::1], lines: cython.const[cython.uchar][:, ::1]) -> None:
     """Divide lines that become curves so that each is as fast at its ends, for its length, as the curve.
 
-    Then both have passed the same share of their lengths at about the same time, as the polygons have. Return whether
-    there are any.
+    Then both have passed the same share of their lengths at about the same time, as the polygons have.
     """
-    found: cython.bint = False
     k: cython.Py_ssize_t
     for k in range(lines.shape[1]):
         if lines[0, k] == lines[1, k]:
             continue
-        found = True
         curve: cython.Py_ssize_t = 1 if lines[0, k] else 0
         first: cython.double = _between(places, curve, k, 0, 1)
         last: cython.double = _between(places, curve, k, 2, 3)
@@ -167,7 +170,6 @@ def _match_speeds(places: cython.double[:, :, ::1], lines: cython.const[cython.u
         if length <= 0.0:
             length = 1.0
         _set_handles(places, 1 - curve, k, first / length, last / length)
-    return found
 
 
 @cython.cfunc
@@ -261,12 +263,17 @@ def slide_cuts(
     distance : float
         Maximum deviation of the in-between, in the drawing's unit.
     """
-    parts = [one.parts(cuts[:, side], joined=False) for side, one in enumerate((a, b))]
-    segments, lines, spans = (np.stack(each) for each in zip(*parts, strict=True))
-    is_node = np.stack([one.is_node(cuts[:-1, side]) for side, one in enumerate((a, b))])
+    count = len(cuts) - 1
+    segments, spans = np.empty((2, count, 4), np.complex128), np.empty((2, count))
+    flags = np.empty((4, count), np.uint8)
+    lines = []
+    for side, one in enumerate((a, b)):
+        segments[side], line, spans[side] = one.parts(cuts[:, side], joined=False)
+        lines.append(line)
+        flags[1 + side] = one.is_node(cuts[:-1, side])
     # Lines that become curves are divided so that their joints do not bend.
-    flags = np.stack([lines[0] ^ lines[1], *is_node, loose[:-1]]).view(np.uint8)
-    slides = np.zeros((SIDE + 1, len(cuts) - 1))
+    flags[0], flags[3] = lines[0] ^ lines[1], loose[:-1]
+    slides = np.zeros((SIDE + 1, count))
     given = segments.view(np.float64), _ways(segments), spans, flags
     if not _weigh(given, a.closed, SIDEWAYS * distance, slides):
         return cuts
