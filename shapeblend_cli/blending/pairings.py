@@ -38,7 +38,11 @@ LEAST_SIZE = 1 / 3
 """Minimum ratio of the sizes of such parts."""
 
 PREFERRED = 0.05
-"""Minimum advantage of a pairing that leaves more parts alone for it to be taken, in grades."""
+"""Minimum advantage of a pairing that is tried for it to be taken, in grades."""
+
+FORGIVEN = 0.1
+"""Maximum disadvantage of the pairing that leaves somewhat more parts alone for it to be taken, in grades: they are
+gone early, which the judge does not see, for which they shrink all of the time."""
 
 MOST_STEPS = 1000
 """Maximum number of steps that are kept for the other pairings."""
@@ -87,10 +91,10 @@ def with_better_pairs(
 def _others(
     paired: PairedDrawings, works: dict[tuple[int, int], float]
 ) -> Iterator[tuple[PairedDrawings, float]]:
-    """Yield other pairings with what they have to gain to be taken, in grades."""
+    """Yield other pairings with what they have to gain to be taken, in grades; less than 0 if they may lose."""
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
-    for rates in STRICTER:
-        yield pair_drawings(a, b, settings, 0.0, progress, rates=rates._replace(works=works)), PREFERRED
+    for rates, gain in zip(STRICTER, (PREFERRED, -FORGIVEN, PREFERRED), strict=True):
+        yield pair_drawings(a, b, settings, 0.0, progress, rates=rates._replace(works=works)), gain
     alike = _alike(paired)
     if alike:
         other = pair_drawings(a, b, settings, 0.0, progress, wanted=alike, rates=Rates(works=works))

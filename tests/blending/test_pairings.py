@@ -1,5 +1,7 @@
 """Other pairings are taken where they look better: unlike parts are left alone, and like ones become each other."""
 
+import pytest
+
 from shapeblend_cli.blending import pairings
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
@@ -23,6 +25,21 @@ def test_parts_do_not_become_unlike_ones_if_that_looks_better(monkeypatch):
     monkeypatch.setattr(pairings, "grade_of_shapes", number_of_pairs)
     assert partners(pair_of(A, B)) == {(0, 0)}
     assert partners(pair_of(B, A)) == {(0, 0)}
+
+
+@pytest.mark.parametrize(("worse", "is_taken"), [(0.02, True), (0.2, False)])
+def test_unlike_parts_are_rather_alone_if_that_looks_about_as_good(monkeypatch, worse, is_taken):
+    def grade(shapes, view):
+        return 2.0 - worse * sum(contour.is_matched for shape in shapes for contour in shape.contours)
+
+    far, near = (f'<path fill="#5dadec" d="{path}"/>' for path in ("M44 4h12v8h-12z", "M14 12h14v12h-14z"))
+    ends = [
+        drawing(f'<path fill="#ffdc5d" d="{body}"/>{part}', viewbox="0 0 64 64")
+        for body, part in ((HAND, far), (FIST, near))
+    ]
+    monkeypatch.setattr(pairings, "grade_of_shapes", grade)
+    for pair in (ends, ends[::-1]):
+        assert partners(pair_of(*pair)) == ({(0, 0)} if is_taken else {(0, 0), (1, 1)})
 
 
 def test_a_small_gain_changes_nothing(monkeypatch):
