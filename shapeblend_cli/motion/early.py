@@ -38,7 +38,11 @@ a small picture of itself on another drawing, as the arms of a crab on a hen."""
 
 APPEARS = 0.58
 """Share of the time by which the smallest part without a partner comes after the start to what changes much, when that
-is near its own form. It falls with the size, to none at `LARGE`, and with the change."""
+is near its own form. It falls with the size, to `LEAST_APPEARS`, and with the change."""
+
+LEAST_APPEARS = 0.25
+"""Minimum share of the time by which a part without a partner comes after the start to what changes much: a large one
+would be a small picture of itself on another drawing."""
 
 MOST_LEAVES = 0.5
 """Share of the time by which parts are gone before the end if most of a drawing has no partner and would be missed."""
@@ -47,7 +51,7 @@ MOST_COMES = 0.05
 """Share of the time by which such parts come after the start: they are specks for a moment only, and yet soon there."""
 
 LARGE = 0.5
-"""Minimum size of a part that takes all of the time to come, as a share of the view's side: it is read at once."""
+"""Size at which the time by which a part comes late would fall to none, as a share of the view's side."""
 
 CHANGES = 0.1
 """Minimum mean distance that places of a shape move, beside its shift, for its parts to leave early, as a share of the
@@ -304,7 +308,7 @@ def shares_by_size(
     What lies in another part without a partner and is about as large, or is a hole in it, goes with it. In a view of a
     side, in which what has a partner changes so much.
     """
-    appears = APPEARS * min(change / CHANGES, 1.0)
+    stirred = min(change / CHANGES, 1.0)
     alone: dict[Numbers, tuple[int, ContourBlend]] = {}
     for k, shape in enumerate(shapes):
         alone |= {(c.a, c.b): (k, c) for c in shape.contours if (c.a, c.b) in parts}
@@ -316,7 +320,8 @@ def shares_by_size(
         if host is not None and (host[0] == number or size > SAME * _size(host[1])):
             return share(*host)
         if contour.grows:
-            return appears * max(0.0, 1.0 - size / (LARGE * side))
+            least = LEAST_APPEARS * stirred
+            return max(least, APPEARS * stirred * (1.0 - size / (LARGE * side)))
         return max(LEAST_LEAVES, LEAVES * (1.0 - size / side))
 
     return _together({numbers: share(*found) for numbers, found in alone.items()})

@@ -111,6 +111,7 @@ def test_parts_are_gone_early_and_come_late_where_much_changes_the_small_ones_mo
     leaving, coming = (drawing(mug, door), drawing(glass)), (drawing(mug), drawing(glass, door))
     assert sizes(*leaving, 0.3)[0][0] > 5.0
     assert sizes(*leaving, 0.42)[0][0] < 0.01, "it would be a small door on a glass"
+    assert sizes(*coming, 0.24)[0][0] < 0.01, "it would be a small door on a mug"
     assert sizes(*coming, 0.45)[0][0] > 5.0
 
 
