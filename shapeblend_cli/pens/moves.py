@@ -337,15 +337,13 @@ def alone(
     change, too.
     """
     points = line.drawn
-    outlines = [(carrier, carrier.points(float(is_new))) for carrier in carriers]
-    outlines = [(carrier, np.append(own, own[0]) if carrier.closed else own) for carrier, own in outlines]
+    outlines = [_outline(carrier, is_new=is_new) for carrier in carriers]
     shares = (0.0, 1.0) if is_new else (1.0, 0.0)
     is_early = has_bodies or any(map(_changes, carriers))  # what rests leaves all of the time
 
     def moving(motion: Moving, *, closed: bool = False, most: float = STUBBY, **options: bool) -> Move:
-        pen, reason = Pen((motion,), closed=closed), DRAWN_ON if is_new else DRAWN_BACK
-        move = Move(None if is_new else line, line if is_new else None, pen, reason, **options)
-        return move._replace(thickens=not move.is_joined and line.length < most * line.width)
+        options["thickens"] = not options.get("is_joined", True) and line.length < most * line.width
+        return _moving(line, Pen((motion,), closed=closed), is_new=is_new, **options)
 
     if line.closed and _surrounds(line, [own for _, own in outlines]):
         around = Drawing(smooth(_clockwise_from_top(line)), *shares)
@@ -356,19 +354,13 @@ def alone(
         most = CROSSES if line.closed else STUBBY
         return [moving(Straight(*pair), closed=line.closed, most=most, is_joined=False, is_early=is_early)]
 
-    def touched(place: complex) -> tuple[Pen, ComplexArray] | None:
-        for carrier, own in outlines:
-            if foot_points(np.array([place]), own)[0][0] < line.reach:
-                return carrier, own
-        return None
-
     def from_foot(points: ComplexArray, foot: tuple[Pen, ComplexArray]) -> Move:
         drawing = Drawing(points, *shares, span=_span(foot[0], is_new=is_new))
         return _carried(moving(drawing), foot, complex(points[0]))
 
     whole = length(points)
     places = [complex(points[0]), complex(at(points, [whole / 2.0])[0]), complex(points[-1])]
-    first, middle, last = (touched(place) for place in places)
+    first, middle, last = (_touched(place, line.reach, outlines) for place in places)
     if line.is_bow and first and last:
         halves = line.part(0.0, whole / 2.0), line.part(whole / 2.0, whole)[::-1]
         return [from_foot(half, foot) for half, foot in zip(halves, (first, last), strict=True)]
@@ -390,6 +382,25 @@ def alone(
     if points[0].real > points[-1].real:  # as one writes
         points = points[::-1]
     return [moving(Drawing(points, *shares), is_joined=False, is_early=is_early)]
+
+
+def _outline(carrier: Pen, *, is_new: bool) -> tuple[Pen, ComplexArray]:
+    """Return a line with its points at an end, which close if it is closed."""
+    points = carrier.points(float(is_new))
+    return carrier, np.append(points, points[0]) if carrier.closed else points
+
+
+def _touched(
+    place: complex, reach: float, outlines: Sequence[tuple[Pen, ComplexArray]]
+) -> tuple[Pen, ComplexArray] | None:
+    """Return the first line within reach of a place."""
+    return next((each for each in outlines if foot_points(np.array([place]), each[1])[0][0] < reach), None)
+
+
+def _moving(line: PenLine, pen: Pen, *, is_new: bool, **options: bool) -> Move:
+    """Return a line that comes or goes."""
+    reason = DRAWN_ON if is_new else DRAWN_BACK
+    return Move(None if is_new else line, line if is_new else None, pen, reason, **options)
 
 
 def _is_on(place: complex, line: PenLine) -> bool:
@@ -447,7 +458,4 @@ def _carried(move: Move, carrier: tuple[Pen, ComplexArray], place: complex) -> M
 def drawn(line: PenLine, points: ComplexArray, *, is_new: bool, is_early: bool = False) -> Move:
     """Draw a line on from the first of its points, or back to it, beside all others."""
     pen = Pen((Drawing(points, *((0.0, 1.0) if is_new else (1.0, 0.0))),))
-    reason = DRAWN_ON if is_new else DRAWN_BACK
-    return Move(
-        None if is_new else line, line if is_new else None, pen, reason, is_joined=False, is_early=is_early
-    )
+    return _moving(line, pen, is_new=is_new, is_joined=False, is_early=is_early)
