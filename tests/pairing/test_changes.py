@@ -158,9 +158,11 @@ def test_other_bars_cross_nothing_out(parts):
     assert "sweep" not in {shape.motion_name for shape in pair.shapes}
 
 
-def test_a_slash_may_leave_little_of_a_drawing_on_its_other_side():
-    whole = "M9 3H15V12H9Z M5 10.5H7V13H17V10H19V15H13V17H11V15H5Z"
-    crossed = "M9 3H15V12H13.5L9 7.5Z M17 10H19V15H16.5L14.5 13H17Z M5 10.5H7V13H10.2L12.2 15H13V17H11V15H5Z"
+@pytest.mark.parametrize("left", [5, 6.5])
+def test_a_slash_may_leave_little_of_a_drawing_on_its_other_side(left):
+    stand = f"M{left} 10.5H{left + 2}V13H"
+    whole = f"M9 3H15V12H9Z {stand}17V10H19V15H13V17H11V15H{left}Z"
+    crossed = f"M9 3H15V12H13.5L9 7.5Z M17 10H19V15H16.5L14.5 13H17Z {stand}10.2L12.2 15H13V17H11V15H{left}Z"
     pair = pair_of(whole, f"{crossed} M1.4 4.2L2.8 2.8L21.2 21.2L19.8 22.6Z", strokes="auto")
     assert [shape.motion_name for shape in pair.shapes] == ["sweep"]
 
