@@ -171,7 +171,7 @@ def _is_crossed_out(before: BoolArray, after: BoolArray, least: float, most: flo
         slash, near = np.zeros_like(before), np.zeros_like(before)
         near[max(0, top - reach) : bottom + reach] = True
         slash[max(0, top - SLIVER) : bottom + SLIVER, max(0, first - reach) : last + reach] = True
-        whole, added, removed = before.sum(), _opened(after & ~before), _opened(before & ~after)
+        whole, added, removed = max(int(before.sum()), 1), _opened(after & ~before), _opened(before & ~after)
         stray = (added & ~slash).sum() + (removed & ~near).sum()
         left = before[: max(0, top - reach)].sum(), before[bottom + reach :].sum()
         wrong = touched + STRAY_WEIGHT * stray / whole
