@@ -102,13 +102,13 @@ def search(tmp_path_factory):
 
 
 def settled(page):
-    """Return the hits when they have been the same for a second.
+    """Return the hits when they have been the same for two seconds.
 
     The search begins with the first letter, and a busy machine shows the hits of half a word for a while.
     """
     found = page.evaluate(FOUND)
     same = 0
-    while same < 5:
+    while same < 10:
         page.wait_for_timeout(200)
         before, found = found, page.evaluate(FOUND)
         same = same + 1 if found == before else 0
