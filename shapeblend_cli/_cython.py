@@ -47,7 +47,7 @@ const = int = bint = uchar = p_char = double = doublecomplex = void = _Type()
 Py_ssize_t, longlong, ulonglong = _Type(), _Type(), _Type()
 nogil = _Unlocked()
 
-cclass = final = cfunc = inline = _unchanged
+cclass = final = cfunc = ccall = inline = _unchanged
 exceptval = boundscheck = wraparound = cdivision = _directive
 
 

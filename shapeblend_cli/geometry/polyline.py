@@ -345,6 +345,11 @@ def are_near(points: ComplexArray, line: ComplexArray, distance: float) -> BoolA
     return nearest_places(points, line)[0] <= distance
 
 
+@cython.ccall
+@cython.exceptval(check=False)
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
 def add_distances(
     points: cython.double[:, ::1],
     line: cython.double[:, ::1],
@@ -353,7 +358,7 @@ def add_distances(
     closed: cython.bint,
     at_points: cython.bint,
     far: cython.double[::1],
-) -> None:
+) -> cython.void:
     """Keep the largest distances of points from the edges of a line near some places, `REACH` to either side.
 
     Parameters
@@ -370,24 +375,6 @@ def add_distances(
     far : (p,) or (n,) float
         The largest distances so far, by points or vertices; only larger ones are taken down.
     """
-    _add_distances(points, line, places, lengths, closed, at_points, far)
-
-
-@cython.cfunc
-@cython.exceptval(check=False)
-@cython.boundscheck(False)
-@cython.wraparound(False)
-@cython.cdivision(True)
-def _add_distances(
-    points: cython.double[:, ::1],
-    line: cython.double[:, ::1],
-    places: cython.const[cython.double][:],
-    lengths: cython.const[cython.double][:],
-    closed: cython.bint,
-    at_points: cython.bint,
-    far: cython.double[::1],
-) -> cython.void:
-    """Keep the largest distances, see `add_distances`."""
     edges: cython.Py_ssize_t = line.shape[0] - 1
     count: cython.Py_ssize_t = lengths.shape[0]
     p: cython.Py_ssize_t
@@ -479,8 +466,8 @@ def add_deviations(
             curve_at_cuts[k] = lengths[t, at_cuts[k]]
         _interpolate(own_lengths[t], cut_lengths, cut_places, False, on_curve)
         _interpolate(lengths[t], cut_places, cut_lengths, False, on_polygon)
-        _add_distances(vertices[t], points[t], vertex_places, lengths[t], closed, True, far)
-        _add_distances(points[t], vertices[t], point_places, own_lengths[t], closed, False, far)
+        add_distances(vertices[t], points[t], vertex_places, lengths[t], closed, True, far)
+        add_distances(points[t], vertices[t], point_places, own_lengths[t], closed, False, far)
 
 
 def tridiagonal(diagonal: FloatArray, beside: FloatArray, right: FloatArray) -> FloatArray:

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model import BoolArray, ComplexArray, Contour, FloatArray, IntArray, Polygon
 
-
 CORNER = 0.1
 """Minimum turn of an outline at a corner, in radians (about 6 degrees); smooth joints stay far below."""
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.grouping import grouped
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Whole
@@ -102,12 +103,8 @@ def signs_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | Non
 
 def _signs(lines: Sequence[PenLine]) -> list[list[PenLine]]:
     """Return lines in groups of those that touch."""
-    signs: list[list[PenLine]] = []
-    for line in lines:
-        joined = [sign for sign in signs if any(_touch(line, other) for other in sign)]
-        signs = [sign for sign in signs if not any(sign is each for each in joined)]
-        signs.append([line, *(other for sign in joined for other in sign)])
-    return signs
+    together = np.array([[_touch(line, other) for other in lines] for line in lines])
+    return [[lines[k] for k in group] for group in grouped(together)]
 
 
 def _touch(line: PenLine, other: PenLine) -> bool:
