@@ -258,6 +258,22 @@ class Graph:
         np.maximum.at(self._visited[:, 1], columns, rows)
         return self._visited.copy()
 
+    def end_of(self, starts: Starts) -> int:
+        """Return the row, `span` rows above its end, of the least path from starts to any end; their bound is its work.
+
+        Where that is not found, or in a band, it is the first row of the starts.
+        """
+        if self.band is not None:
+            return starts.first_row
+        self.sweep(starts, starts.bound * (1.0 + ROUNDING))
+        progress = self._progress
+        if progress is None or progress.is_dead:
+            return starts.first_row
+        first, last = progress.live_rows
+        low = int(self.region.low[-1])
+        ends = progress.ends[first - low : last + 1 - low]
+        return first + int(ends.argmin()) // ends.shape[1] - self.span
+
     def sweep(self, starts: Starts, limit: float = np.inf, simplified: bool = False) -> Found | None:
         """Find the least path from a set of starts to the ends that belong to them.
 

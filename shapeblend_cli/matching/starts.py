@@ -25,9 +25,8 @@ import numpy as np
 from shapeblend_cli.matching.graph import FIRST_SWEPT, ROUNDING, Graph, Path, Starts
 from shapeblend_cli.matching.steps import ENTERING, SOUTHEAST, STEPS
 
-SLACKS = (0.1, 0.6)
+SLACKS = (0.01, 0.1, 0.6)
 """Shares above its lower bound within which a first closed path is looked for, before it is looked for anywhere."""
-
 
 KNOWN = 1e-9
 """Maximum error of a known work, in units of work or as a share of it: it was added up in another order."""
@@ -59,10 +58,13 @@ def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf
         return None
     best, limit = None, known + KNOWN * max(known, 1.0)
     if known == np.inf:
-        # A first closed path from the most promising start, looked for close above its bound first: the closer, the
-        # fewer dots a sweep visits.
-        likely = [Starts(lowest, first + row, first + row, ENTERING)]
-        for most in [lowest + slack * max(lowest, 1.0) for slack in SLACKS] + [np.inf]:
+        # Most least paths have an end in common, wherever they start, and a closed path through it takes little more. A
+        # first one is looked for close above its bound first: the closer, the fewer dots a sweep visits.
+        end = graph.end_of(Starts(lowest, first + row, first + row, ENTERING)) - first
+        row = end if 0 <= end < len(bounds) and bounds[end] < np.inf else row
+        bound = float(bounds[row])
+        likely = [Starts(bound, first + row, first + row, ENTERING)]
+        for most in [bound + slack * max(bound, 1.0) for slack in SLACKS] + [np.inf]:
             best = best or _branch_and_bound(graph, likely, most)
         limit = best.work * (1.0 - ROUNDING) if best else np.inf
 
