@@ -43,6 +43,9 @@ TOLERANCE = 0.02
 """Maximum distance of an outline from its mirror image, as a share of its size; and of a node from the mirror image of
 another node, as a share of the outline's length."""
 
+EVERY = 8
+"""Number of points for each one that is compared first."""
+
 AT_ONCE = 512
 """Number of places where an outline meets a line that are compared at once: an outline may have thousands."""
 
@@ -196,12 +199,16 @@ def _axes(polygon: Polygon) -> Iterator[Axis]:
         across = ((outline - middle) * np.conj(along)).imag
         at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
+        few = (2.0 * met[:, None] - even[::EVERY]) % 1.0  # which rule out most places
+        met = met[np.abs(points_at(few, outline, places) - images[::EVERY]).max(axis=1) <= tolerance]
+        if not len(met):
+            continue
         away = [
             np.abs(points_at((2.0 * some[:, None] - even) % 1.0, outline, places) - images).max(axis=1)
             for some in (np.array_split(met, 1 + len(met) // AT_ONCE) if len(met) > AT_ONCE else [met])
         ]
         off = np.concatenate(away)
-        if len(off) and off.min() <= tolerance:
+        if off.min() <= tolerance:
             end = float(met[int(off.argmin())])
             ends = np.array([end, (end + 0.5) % 1.0])
             ends = ends[np.argsort(-(points_at(ends, outline, places) * np.conj(along)).real)]
