@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ComplexArray, Correspondence, FloatArray, IntArray
     from shapeblend_cli.wires.contour_match import ContourMatch
 
+    Path = tuple[FloatArray, FloatArray]  # shares of the first parts of two contours that correspond
+
 SAMPLES = 128
 """Number of points, evenly along an outline, that are compared to recognise an axis."""
 
@@ -141,17 +143,20 @@ def solve_with_symmetry(match: ContourMatch) -> Solved | None:
         return None
     axes_a, axes_b = zip(*axes, strict=True)
     found: dict[tuple[bytes, ...], Correspondence] = {}
+    path: Path | None = None
 
     def solve_part(
         p: FlatContour, q: FlatContour, near: IntArray | None = None, known: float = np.inf
     ) -> Solved:
+        nonlocal path
         parts = cut_in_parts(p, axes_a), cut_in_parts(q, axes_b)
         flats = parts[0].flat, parts[1].flat
         cuts = tuple(
             some.tobytes() for side in parts for some in (side.flat.polygon.vertices, *side.vertices)
         )
         if cuts not in found:
-            found[cuts] = _solve_parts(parts, match.wires(*flats), match.settings.effort)
+            near_by = path if len(found) > 1 else None  # without common cuts a path shows too little
+            found[cuts], path = _solve_parts(parts, match.wires(*flats), match.settings.effort, near_by)
         return Solved(*flats, found[cuts])
 
     try:
@@ -344,11 +349,23 @@ def _cut(
     )
 
 
-def _solve_parts(parts: tuple[Parts, Parts], whole: Wires, effort: str) -> Correspondence:
+def _solve_parts(
+    parts: tuple[Parts, Parts], whole: Wires, effort: str, path: Path | None
+) -> tuple[Correspondence, Path]:
     """Solve the first parts of two contours, end to end, and let the others do the same in the mirror.
 
-    The lower bound is 0, as other matches of the whole may take less work.
+    If a path through these parts with other vertices is known, only paths near that are searched, unless the effort is
+    `exact`. The lower bound is 0, as other matches of the whole may take less work. The path that is found is returned,
+    too.
     """
-    found = least_work(whole.along(*(side.vertices[0] for side in parts)), Search(effort=effort))
+    first = [side.vertices[0] for side in parts]
+    along = [cumulative_lengths(side.flat.polygon.vertices[k]) for side, k in zip(parts, first, strict=True)]
+    shares = [lengths / lengths[-1] for lengths in along]
+    near = None
+    if path is not None and effort != "exact":
+        partners = interpolated(interpolated(shares[0], *path), shares[1], np.arange(float(len(shares[1]))))
+        near = np.round(partners).astype(np.intp)
+    found = least_work(whole.along(*first), Search(effort=effort, near=near))
     dots = np.stack([side.around(found.dots[:, k]) for k, side in enumerate(parts)], axis=1)
-    return priced(whole, dots, found.sweeps)
+    passed = shares[0][found.dots[:, 0]], shares[1][found.dots[:, 1]]
+    return priced(whole, dots, found.sweeps), passed
