@@ -41,6 +41,9 @@ TRIM = 0.7
 MOST_TRIMMED = 0.3
 """Maximum length of that, as a share of the stroke."""
 
+ROUNDING = 1e-9
+"""Maximum rounding error of a width, as a share of it."""
+
 LONGEST_CAP = 15.0
 """Maximum length of a cap, in radii."""
 
@@ -98,6 +101,23 @@ def brushes_of(region: Region, strokes: Sequence[Stroke]) -> list[Brush]:
         found = [_brush(region, stroke, trims=trims) for stroke in strokes]
         tries.append((region.unlike([brush.polygon for brush in found], PIXEL), found))
     return min(tries, key=lambda one: one[0])[1]
+
+
+def least_width(region: Region, strokes: Sequence[Stroke]) -> float:
+    """Return a width that the widest brush of strokes is sure to have, before their outlines are known.
+
+    Where an end is free, the centre line may yet be trimmed, and is divided anew.
+    """
+    found = 0.0
+    for stroke in strokes:
+        away = region.distances(stroke.points)
+        if any(stroke.is_free):
+            along = cumulative_lengths(stroke.points)
+            whole = float(along[-1])
+            stays = np.abs(along - 0.5 * whole) <= (0.5 - MOST_TRIMMED) * whole
+            away = away[stays] - 0.5 * whole / max(len(along) - 1, 1)
+        found = max(found, 2.0 * (1.0 - ROUNDING) * float(away.max(initial=0.0)))
+    return found
 
 
 def tangents(points: ComplexArray, *, closed: bool = False) -> ComplexArray:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.brushes.areas import Region
     from shapeblend_cli.brushes.sides import Brush
     from shapeblend_cli.brushes.stroke_blends import Matched
+    from shapeblend_cli.brushes.strokes import Stroke
     from shapeblend_cli.model import Box
     from shapeblend_cli.options.settings import Settings
 
@@ -80,15 +81,20 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     thin, thick = sorted(thicknesses)
     if thick > min(SLENDER, ALIKE * thin) or not (_may_be_brushed(a, scale) and _may_be_brushed(b, scale)):
         return usual
+    widths = [min(WIDEST, UNEVEN * thickness) for thickness in thicknesses]
+    strokes_a = _strokes(a, widths[0], scale)
+    strokes_b = _strokes(b, widths[1], scale) if strokes_a is not None else None
+    if strokes_a is None or strokes_b is None:
+        return usual
     grade = grade_of_shapes(usual, view)
     if grade <= FINE:
         return usual
-    from shapeblend_cli.brushes import stroke_blends  # few drawings are handwriting
-
-    brushes_a = _brushes(a, thicknesses[0], scale)
-    brushes_b = _brushes(b, thicknesses[1], scale) if brushes_a is not None else None
+    brushes_a = _brushes(strokes_a, widths[0])
+    brushes_b = _brushes(strokes_b, widths[1]) if brushes_a is not None else None
     if brushes_a is None or brushes_b is None:
         return usual
+    from shapeblend_cli.brushes import stroke_blends  # few drawings are handwriting
+
     brushes = brushes_a, brushes_b
     best = grade - BETTER
     paired = stroke_blends.paired_strokes(*brushes)
@@ -144,22 +150,34 @@ def _regions(drawing: PlacedDrawing, scale: float) -> list[Region]:
     return regions
 
 
-def _brushes(drawing: PlacedDrawing, thickness: float, scale: float) -> list[Brush] | None:
-    """Return the strokes of a drawing of a mean thickness, in units; None if it is more than strokes."""
-    from shapeblend_cli.brushes.sides import brushes_of
+def _strokes(drawing: PlacedDrawing, widest: float, scale: float) -> list[tuple[Region, list[Stroke]]] | None:
+    """Return the strokes of each region of a drawing; None if it is more than strokes up to a width, in units."""
+    from shapeblend_cli.brushes.sides import least_width
     from shapeblend_cli.brushes.strokes import strokes_of
 
     regions = _regions(drawing, scale)
     if any(len(region.rings) > 1 + MOST_HOLES for region in regions):
         return None
-    found: list[Brush] = []
+    found = []
     for region in regions:
-        brushes = brushes_of(region, strokes_of(region))
-        widest = max((2.0 * float(region.distances(brush.points).max()) for brush in brushes), default=0.0)
-        if widest > min(WIDEST, UNEVEN * thickness):
+        strokes = strokes_of(region)
+        if least_width(region, strokes) > widest:
             return None
-        found += brushes
-    return found if 0 < len(found) <= MOST_STROKES else None
+        found.append((region, strokes))
+    return found
+
+
+def _brushes(found: Sequence[tuple[Region, list[Stroke]]], widest: float) -> list[Brush] | None:
+    """Return the strokes of regions with their outlines; None if one is wider, or there are too many or none."""
+    from shapeblend_cli.brushes.sides import brushes_of
+
+    brushes = []
+    for region, strokes in found:
+        own = brushes_of(region, strokes)
+        if any(2.0 * float(region.distances(brush.points).max()) > widest for brush in own):
+            return None
+        brushes += own
+    return brushes if 0 < len(brushes) <= MOST_STROKES else None
 
 
 def _shape(
