@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache, lru_cache
 from itertools import pairwise
+from operator import is_
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -101,19 +102,22 @@ def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
 
 
 class Moving:
-    """A shape that moves all the time; equal are those with the same contours and the same motion."""
+    """A shape that moves all the time; equal are those with the same paths at both ends and the same motion."""
 
     def __init__(self, shape: ShapeBlend) -> None:
         self.shape = shape
+        # Contours are made anew where they only get a reason.
+        self._same = [path for contour in shape.contours for path in (contour.start, contour.end)]
+        self._hash = hash((*map(id, self._same), id(shape.motion)))
 
     def __hash__(self) -> int:
-        return hash((id(self.shape.contours), id(self.shape.motion)))
+        return self._hash
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Moving):
             return NotImplemented
-        one, two = self.shape, other.shape
-        return one.contours is two.contours and one.motion is two.motion
+        is_same = self.shape.motion is other.shape.motion and len(self._same) == len(other._same)
+        return is_same and all(map(is_, self._same, other._same))
 
 
 def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> Sequence[float]:
