@@ -226,24 +226,26 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     for p, q, side in zip(firsts.tolist(), lasts.tolist(), held[firsts].tolist(), strict=True):
         if side == 2:
             continue
-        if q - p >= LONG_HOLD and corners[side][p]:
+        is_hold_long = q - p >= LONG_HOLD
+        if is_hold_long and corners[side][p]:
             fixed[[p, q]] = True
             continue
-        # An end that is a corner of the advancing contour stays as it is.
-        ends = [(end, beyond) for end, beyond in ((p, p - 1), (q, q + 1)) if not stays[side][end]]
         kept[p + 1 : q] = False
-        for end, beyond in ends:
+        moved = 0
+        for end, beyond in ((p, p - 1), (q, q + 1)):
+            if stays[side][end]:  # a corner of the advancing contour stays as it is
+                forced[end] = True
+                continue
+            moved += 1
             kept[end] = False
-            step = min(end, beyond)
-            if q - p >= LONG_HOLD:
+            if is_hold_long:
+                step = min(end, beyond)
                 if held[step] == 2:
                     middles.append(0.5 * (positions[[end]] + positions[[beyond]]))
                 elif is_long[step]:
                     forced[end] = True
-        if q - p < LONG_HOLD and len(ends) == 2:
+        if not is_hold_long and moved == 2:
             single[side].append(p)
-        for end in {p, q} - {end for end, _ in ends}:
-            forced[end] = True
     for side, other in ((0, b), (1, a)):
         first, along = np.array(single[side], np.intp), lengths[1 - side]
         middles.append(positions[first])

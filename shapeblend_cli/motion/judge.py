@@ -48,6 +48,9 @@ MOST_CHORD = 0.06
 PROBES = 96
 """Number of places of an outline at which the width of limbs is measured."""
 
+PLACES = (np.arange(PROBES) + 0.5) / PROBES
+"""Places of an outline, as shares of its length, near which that is."""
+
 LINE_WIDTH = 0.04
 """Minimum width of lines, as a share of the shape's size: narrower ones count as so wide."""
 
@@ -333,8 +336,8 @@ def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
             continue
         share = 0.5 * (own[0] / own[0].sum() + own[-1] / own[-1].sum())
         place = np.concatenate([[0.0], np.cumsum(share)[:-1]])
-        probes = np.searchsorted(place, (np.arange(PROBES) + 0.5) / PROBES).clip(0, len(on) - 1)
-        probes = probes[np.diff(probes, prepend=-1) > 0]
+        probes = np.minimum(np.searchsorted(place, PLACES), len(on) - 1)
+        probes = probes[np.concatenate([[True], probes[1:] > probes[:-1]])]
         area += both * _widths_off(
             outlines.points[:, on[probes]], place[probes], own, bool(outlines.closed[on[0]])
         )

@@ -116,8 +116,10 @@ def is_rotated_copy(contours: Sequence[ContourBlend]) -> bool:
 def _even(polygon: Polygon) -> tuple[ComplexArray, complex]:
     """Return points spread evenly along a polygon, relative to their mean, and that mean."""
     lengths = cumulative_lengths(polygon.line)
-    even = points_at(
-        np.linspace(0.0, lengths[-1], SAMPLES, endpoint=not polygon.closed), polygon.line, lengths
-    )
+    steps = SAMPLES if polygon.closed else SAMPLES - 1
+    along = np.arange(float(SAMPLES)) * (lengths[-1] / steps)  # as `numpy.linspace` has them, sooner
+    if not polygon.closed:
+        along[-1] = lengths[-1]
+    even = points_at(along, polygon.line, lengths)
     mean = complex(even.mean())
     return even - mean, mean
