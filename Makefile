@@ -31,7 +31,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
 ## ---- what people call
 
-.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-commands bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-ui bench-lines ends judge-weights pictures studio options api install clean
+.PHONY: help demo test test-browser test-inkscape test-wheels test-cluster docs docs-check wheels lint type fmt golden faults bulk fuzz fuzz-limits mutate bench bench-stages bench-commands bench-batches bench-bent bench-solver bench-quality bench-truth bench-morphs bench-faces bench-ui bench-lines ends judge-weights pictures studio options api install clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s%s\n", $$1, $$2 }' Makefile
@@ -124,6 +124,11 @@ OPTIONS ?=
 
 bench-commands: install ## time whole commands for the pairs in the folder PAIRS, with OPTIONS, beside bare imports
 	$(BIN)/python -m tools.commands $(PAIRS) $(OPTIONS)
+
+KINDS ?=
+
+bench-batches: install ## time batches beside the same jobs as separate commands, of all kinds or of some KINDS
+	$(BIN)/python -m tools.batches $(KINDS)
 
 bench-bent: install ## time frames with bent pictures, in whole commands
 	$(BIN)/python -m tools.bent_pictures

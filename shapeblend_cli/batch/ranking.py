@@ -154,7 +154,7 @@ def rating(pair: Pair) -> Rating:
     return Rating(round(grade.number, 3), grade.why or "", round(work, 6), alone, tuple(motions))
 
 
-def rate(order: Order, note: Callable[[str], None], _warn: Callable[[str], None]) -> Answer:
+def rate(order: Order, note: Callable[[str], None]) -> Answer:
     """Blend the two files of an order, and answer with its rating; pictures are drawn if a sheet is asked for.
 
     Data of an order are the first file's, where that was standard input.

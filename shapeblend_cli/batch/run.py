@@ -17,6 +17,7 @@ from shapeblend_cli.batch.strays import strays
 from shapeblend_cli.batch.supervisor import Ended, Stopped
 from shapeblend_cli.batch.worker import DONE, FAILED, Answer, Order, job_for, write_answers
 from shapeblend_cli.job.job import all_targets
+from shapeblend_cli.job.targets import warn_of_others
 from shapeblend_cli.system.interrupts import told
 
 CURRENT = "current"
@@ -89,9 +90,16 @@ Run = Callable[[Sequence[tuple[int, Order]], int], Iterator[Ended]]
 
 
 def run_tasks(
-    tasks: Sequence[Task], found: Sequence[State], run: Run, options: BatchOptions
+    tasks: Sequence[Task],
+    found: Sequence[State],
+    run: Run,
+    options: BatchOptions,
+    *,
+    with_notes: bool = False,
 ) -> Iterator[Outcome]:
     """Have the tasks done that are not up to date, by their states; yield all of them as they end.
+
+    Without notes, only what files have is noted.
 
     Raises what `run` raises.
     """
@@ -111,7 +119,7 @@ def run_tasks(
                 f"{state.edited}: was edited since it was written, and stays as it is" if state.edited else ""
             )
             yield Outcome(task, CURRENT, Answer(CURRENT, warnings=(edited,) if edited else ()), 0)
-    orders = [(number, order_of(task, options)) for number, task in waiting.items()]
+    orders = [(number, order_of(task, options, with_notes=with_notes)) for number, task in waiting.items()]
     for number, answer in _cached(orders):
         yield Outcome(waiting.pop(number), answer.status, answer, 0)
         failed += answer.status != DONE
@@ -121,8 +129,8 @@ def run_tasks(
         yield Outcome(waiting[ended.number], ended.answer.status, ended.answer, ended.attempts)
 
 
-def order_of(task: Task, options: BatchOptions) -> Order:
-    """Return the order that has a task done."""
+def order_of(task: Task, options: BatchOptions, *, with_notes: bool = False) -> Order:
+    """Return the order that has a task done, with notes if they are asked for, or if a file is to have them."""
     force, batch = bool(task.given.get("force")), tuple(relative(task.source, task.place.parent))
     return Order(
         task.files,
@@ -133,6 +141,7 @@ def order_of(task: Task, options: BatchOptions) -> Order:
         batch=batch,
         warns=not options.clean,
         is_graded=bool(options.results) or (options.summary or "").lower().endswith(".json"),
+        is_noted=with_notes or bool(options.results or options.summary or options.cache),
     )
 
 
@@ -145,8 +154,6 @@ def clean(tasks: Sequence[Task], ended: Mapping[int, str]) -> Iterator[str]:
         yield from each.remove()
     for task in tasks:
         if ended.get(task.number) == DONE:
-            from shapeblend_cli.job.make import warn_of_others
-
             texts: list[str] = []
             warn_of_others(task.job, texts.append)
             yield from texts

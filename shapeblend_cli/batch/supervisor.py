@@ -1,7 +1,7 @@
 """Worker processes, and who watches over them: a worker that dies costs its own job one more attempt, and no other.
 
-Each worker has a thread that hands it one job at a time. What becomes of jobs goes to a queue, which the main thread
-empties; signals go there, too.
+Each worker has a thread that hands it one job at a time. What it makes goes to the writer. What becomes of jobs goes to
+a queue, which the main thread empties; signals go there, too.
 """
 
 from __future__ import annotations
@@ -9,12 +9,22 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import count
 from queue import SimpleQueue
 from typing import NamedTuple
 
-from shapeblend_cli.batch.worker import DONE, MEMORY, STOPPED, TIMEOUT, Answer, Order
+from shapeblend_cli.batch.records import each_file
+from shapeblend_cli.batch.worker import (
+    DONE,
+    MEMORY,
+    STOPPED,
+    TIMEOUT,
+    Answer,
+    Order,
+    write_answer,
+    write_answers,
+)
 from shapeblend_cli.errors import ShapeblendError
 from shapeblend_cli.system.interrupts import NOTHING, late, told, too_large
 from shapeblend_cli.system.processes import TOO_LARGE, Child
@@ -23,6 +33,12 @@ ATTEMPTS = 2
 """Minimum number of attempts at a job whose process dies, and of starts of a process."""
 
 DIED = "died"
+
+AT_ONCE = 64
+"""Maximum number of jobs whose outputs are written in one step."""
+
+MUCH = 2**26
+"""Maximum size of outputs that are written in one step, in bytes, and of those that wait while further jobs begin."""
 
 GRACE = 1.0
 """Time for a job to end by itself after its limit, or when it is asked to, in seconds; then its process is killed."""
@@ -54,7 +70,7 @@ class CannotStart(ShapeblendError):
 def run_all(
     orders: Iterable[tuple[int, Order]], processes: int, most: int = 0, module: str = BLENDS
 ) -> Iterator[Ended]:
-    """Do numbered jobs in a number of processes, and yield each as it ends.
+    """Do numbered jobs in a number of processes, write what they make, and yield each as it ends.
 
     After `most` failures no further jobs are started; with 0, failures stop nothing.
 
@@ -65,57 +81,139 @@ def run_all(
     CannotStart
         If no process can be started.
     """
-    waiting = deque(orders)
-    failed: list[int] = []
-    events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
-    workers = [Worker(module) for _ in range(min(processes, len(waiting)))]
-
-    def work(worker: Worker) -> None:
-        """Do jobs until there are no more."""
-        try:
-            while True:
-                try:
-                    number, order = waiting.popleft()
-                except IndexError:
-                    break
-                done = worker.do(order)
-                if done is None:
-                    break
-                if done[0].status != DONE:
-                    failed.append(number)
-                    if len(failed) == most:
-                        waiting.clear()
-                events.put(Ended(number, *done))
-        except Exception as error:
-            events.put(error)
-        finally:
-            worker.end()
-            events.put(None)
-
+    jobs = _Jobs(orders, most)
+    if not jobs.waiting:
+        return
+    workers = [Worker(module) for _ in range(min(processes, len(jobs.waiting)))]
+    writer = Writer(jobs.end, jobs.events.put)
     error: Exception | None = None
-    with told(lambda number: events.put(Stopped(number))):
+    with told(lambda number: jobs.events.put(Stopped(number))):
         for worker in workers:
-            threading.Thread(target=work, args=(worker,), daemon=True).start()
-        running = len(workers)
+            threading.Thread(target=jobs.work, args=(worker, writer), daemon=True).start()
+        running = len(workers) + 1
         try:
             while running:
-                event = events.get()
+                event = jobs.events.get()
                 if event is None:
                     running -= 1
+                    if running == 1:
+                        writer.end()
                 elif isinstance(event, Ended):
                     yield event
                 else:
                     is_again = error is not None
                     error = error or event
-                    waiting.clear()
+                    jobs.waiting.clear()
                     for worker in workers:
                         worker.stop(at_once=is_again and isinstance(event, Stopped))
         finally:
-            waiting.clear()
+            jobs.waiting.clear()
             for worker in workers:
                 worker.stop()
+            writer.end()
+            writer.join()
     if error is not None:
         raise error
+
+
+class _Jobs:
+    """Jobs that wait, and what becomes of others; None for each thread that has ended."""
+
+    def __init__(self, orders: Iterable[tuple[int, Order]], most: int) -> None:
+        self.waiting = deque(orders)
+        self.events: SimpleQueue[Ended | Exception | None] = SimpleQueue()
+        self._most = most
+        self._failed: list[int] = []
+
+    def work(self, worker: Worker, writer: Writer) -> None:
+        """Do jobs until there are no more."""
+        try:
+            while True:
+                try:
+                    number, order = self.waiting.popleft()
+                except IndexError:
+                    break
+                done = worker.do(order)
+                if done is None:
+                    break
+                ended = Ended(number, *done)
+                if ended.answer.made_of is None:
+                    self.end(ended)
+                else:
+                    writer.take(order, ended)
+        except Exception as error:
+            self.events.put(error)
+        finally:
+            worker.end()
+            self.events.put(None)
+
+    def end(self, ended: Ended) -> None:
+        """Take that a job has ended."""
+        if ended.answer.status != DONE:
+            self._failed.append(ended.number)
+            if len(self._failed) == self._most:
+                self.waiting.clear()
+        self.events.put(ended)
+
+
+class Writer:
+    """A thread that writes what jobs have made, in turn, and meanwhile further ones are done.
+
+    It writes all that is there at a time. `end` takes jobs as they end, and `tell` errors, and None in the end.
+    """
+
+    def __init__(self, end: Callable[[Ended], None], tell: Callable[[Exception | None], None]) -> None:
+        self._end, self._tell = end, tell
+        self._made: deque[tuple[Order, Ended, int]] = deque()  # with sizes in bytes
+        self._size = 0
+        self._is_over = False
+        self._turn = threading.Condition()
+        self._thread = threading.Thread(target=self._work, daemon=True)
+        self._thread.start()
+        self.join = self._thread.join
+
+    def take(self, order: Order, ended: Ended) -> None:
+        """Take what a job has made, after a wait while there is much that has to be written."""
+        size = sum(len(data) for _, data in each_file(ended.answer.contents))
+        with self._turn:
+            self._turn.wait_for(lambda: self._is_over or not self._size or self._size + size <= MUCH)
+            self._made.append((order, ended, size))
+            self._size += size
+            self._turn.notify_all()
+
+    def end(self) -> None:
+        """End after what is there is written."""
+        with self._turn:
+            self._is_over = True
+            self._turn.notify_all()
+
+    def _work(self) -> None:
+        try:
+            while made := self._next():
+                self._write(made)
+        except Exception as error:
+            self._tell(error)
+        finally:
+            self._tell(None)
+
+    def _next(self) -> list[tuple[Order, Ended]]:
+        """Return what is to be written next; nothing at the end."""
+        with self._turn:
+            self._turn.wait_for(lambda: self._made or self._is_over)
+            found = [self._made.popleft() for _ in range(min(len(self._made), AT_ONCE))]
+            self._size -= sum(size for _, _, size in found)
+            self._turn.notify_all()
+        return [(order, ended) for order, ended, _ in found]
+
+    def _write(self, made: list[tuple[Order, Ended]]) -> None:
+        """Write what some jobs have made, again as often as a job may be tried."""
+        answers = write_answers([(order, ended.answer, ended.answer.made_of or {}) for order, ended in made])
+        for (order, ended), answer in zip(made, answers, strict=True):
+            attempts = ended.attempts
+            while answer.status != DONE and attempts <= order.retries:
+                answer = write_answer(order, ended.answer, ended.answer.made_of or {})
+                attempts += 1
+            self._end(Ended(ended.number, answer, attempts))
 
 
 class Worker:

@@ -162,7 +162,8 @@ def _do(
                 for line in _reasons(tasks, found) if options.why else ():
                     terminal.note(line)
                 try:
-                    for outcome in run_tasks(tasks, found, _way(options, terminal.warn), options):
+                    way = _way(options, terminal.warn)
+                    for outcome in run_tasks(tasks, found, way, options, with_notes=printed.verbose):
                         ended[outcome.task.number] = outcome.status
                         counts["cached" if outcome.answer.is_cached else outcome.status] += 1
                         aside.ended(outcome, is_first or outcome.status != CURRENT)

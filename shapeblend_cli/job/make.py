@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import re
-import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -15,17 +11,18 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
 from shapeblend_cli.blending.swapped import is_swapped
-from shapeblend_cli.errors import InputError, MatchError, OutputError, PictureError
-from shapeblend_cli.job.job import Job, all_targets
+from shapeblend_cli.errors import InputError, MatchError
+from shapeblend_cli.job.job import Job
+from shapeblend_cli.job.targets import check_files_of, check_libraries, named, write
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.options.settings import ReadOptions, Settings
-from shapeblend_cli.outputs.formats import STANDARD_OUTPUT, OutputSpec
+from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.pipeline import match_all, with_kept_text, without_specks
-from shapeblend_cli.svg.reading.read import STANDARD_INPUT, contents_of, read
+from shapeblend_cli.svg.reading.read import contents_of, read
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
-from shapeblend_cli.system.write import Content, Contents, check_targets, write_files
+from shapeblend_cli.system.write import Content, Contents
 from shapeblend_cli.version import __version__
 
 if TYPE_CHECKING:
@@ -102,27 +99,6 @@ def blend_files(
     return made.run
 
 
-def check_libraries(job: Job) -> None:
-    """Raise OutputError if a job needs a library that is not there."""
-    with _named(job.output.path):
-        job.output.format.check_libraries()
-
-
-def check_files_of(job: Job) -> None:
-    """Raise OutputError if a job must not write one of its targets; see `check_targets`."""
-    _check(all_targets(job), job.files, job.write.force)
-
-
-def check_output(output: str, files: Sequence[str], force: bool) -> None:
-    """Raise OutputError if a text that is made of files must not be written to an output; see `check_targets`."""
-    if output != STANDARD_OUTPUT:
-        _check([Path(output)], files, force)
-
-
-def _check(targets: Iterable[Path], files: Sequence[str], force: bool) -> None:
-    check_targets(targets, [Path(file) for file in files if file != STANDARD_INPUT], force)
-
-
 def make(
     job: Job,
     clock: Clock,
@@ -151,7 +127,7 @@ def make(
     _say_if_swapped(job, run, note_and_keep)
     _say_if_poor(job, run, note_and_keep, is_read=note is not None or bool(job.write.preview))
     progress("drawing", 0.0)
-    with _named(output.path):
+    with named(output.path):
         rendered = output.format.render(output._replace(watch=progress), pairs)
     clock.lap("render")
     for text in rendered.notes:
@@ -183,29 +159,6 @@ def make(
         contents[Path(job.write.tries)] = _tries(drawings, settings, pairs[0])
         clock.lap("tries")
     return Made(run, contents, standard_output)
-
-
-def write(
-    job: Job, contents: Contents, warn: Callable[[str], None], standard_output: str | bytes = ""
-) -> None:
-    """Write what was made, all of it or nothing."""
-    write_files(contents, job.write.force)
-    print_text(standard_output, "; the files were written" if any(contents.values()) else "")
-    warn_of_others(job, warn)
-
-
-def warn_of_others(job: Job, warn: Callable[[str], None]) -> None:
-    """Say that there are frames of another run in the folder of a job."""
-    if stale := _stale_frames(job.output):
-        warn(f"{job.output.path}: {len(stale)} frame files of another run remain, {min(stale)} among them")
-
-
-def write_output(output: str, text: str, force: bool) -> None:
-    """Write a text to a file, or to standard output."""
-    if output == STANDARD_OUTPUT:
-        print_text(text)
-    else:
-        write_files({Path(output): text}, force)
 
 
 def match_files(
@@ -321,25 +274,6 @@ def _files(job: Job, pair: Pair) -> str:
     return f"{job.files[pair.a]} and {job.files[pair.b]}"
 
 
-@contextmanager
-def _named(output: str) -> Iterator[None]:
-    """Name the output in errors about pictures that cannot be drawn."""
-    try:
-        yield
-    except PictureError as error:
-        raise OutputError(output, str(error)) from error
-
-
-def _stale_frames(output: OutputSpec) -> set[str]:
-    """Return the names of frame files in the folder that are none of the run's own."""
-    names = {name for name in output.frame_files() if name}
-    suffixes = {re.escape(Path(name).suffix) for name in names}
-    if not suffixes:
-        return set()
-    frames = re.compile(rf"frame-[0-9]+({'|'.join(suffixes)})")
-    return {name for name in os.listdir(output.path) if frames.fullmatch(name)} - names
-
-
 def _preview(
     job: Job, found: dict[str, Any], blended: tuple[Sequence[Drawing], Sequence[Pair]], notes: Sequence[str]
 ) -> str:
@@ -356,16 +290,3 @@ def _tries(drawings: Sequence[Drawing], settings: Settings, pair: Pair) -> str:
     from shapeblend_cli.job.tries import tries, tries_sheet  # most runs try nothing else
 
     return tries_sheet(tries(drawings, settings, pair), as_drawn=settings.draws_ends)
-
-
-def print_text(text: str | bytes, stands: str = "") -> None:
-    """Write to standard output as UTF-8 in every locale; an error names the files that were written."""
-    if not text:
-        return
-    try:
-        sys.stdout.buffer.write(text.encode("utf-8", "replace") if isinstance(text, str) else text)
-        sys.stdout.buffer.flush()
-    except BrokenPipeError:
-        raise
-    except OSError as error:
-        raise OutputError("standard output", f"cannot be written ({error.strerror}){stands}") from error

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
 from shapeblend_cli.interpolate.stars import star_shapes
-from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
+from shapeblend_cli.job.make import SLOW, match_files
+from shapeblend_cli.job.targets import check_output, write_output
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Box
 from shapeblend_cli.outputs.formats import page_of, views

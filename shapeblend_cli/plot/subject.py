@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import InputError, MatchError
-from shapeblend_cli.job.make import SLOW, check_output, match_files, write_output
+from shapeblend_cli.job.make import SLOW, match_files
+from shapeblend_cli.job.targets import check_output, write_output
 from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.plot.axes import short_name, value_text
 from shapeblend_cli.system.clock import Clock

@@ -19,15 +19,8 @@ from shapeblend_cli.frames.frames import end_frames, frame_at
 from shapeblend_cli.frames.stagger import parts_of
 from shapeblend_cli.frames.views import view_of
 from shapeblend_cli.job.job import Job, all_targets, job_of
-from shapeblend_cli.job.make import (
-    check_files_of,
-    check_libraries,
-    kept_of,
-    make,
-    match_drawings,
-    read_files,
-    write,
-)
+from shapeblend_cli.job.make import kept_of, make, match_drawings, read_files
+from shapeblend_cli.job.targets import check_files_of, check_libraries, write
 from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT

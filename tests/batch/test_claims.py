@@ -7,7 +7,7 @@ import pytest
 
 from shapeblend_cli.cli import run
 from tests.batch.test_workers import COMMAND, is_gone, wait_for
-from tests.support.commands import assert_refused, contents
+from tests.support.commands import assert_refused, contents, wait_until
 
 pytestmark = pytest.mark.usefixtures("forked")
 
@@ -39,6 +39,7 @@ def made():
 
 def test_another_batch_is_refused_in_a_line_or_waits(hold, capsys):
     first = hold()
+    wait_until(lambda: Path("m/1.svg").exists() and not [*Path("m").glob(".shapeblend-*")])
     assert_refused(
         capsys, OTHER, f"m/1.svg: another batch is writing this, process {first.pid} on ", status=1
     )

@@ -7,15 +7,18 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from shapeblend_cli.batch.worker import Order
+from shapeblend_cli.batch import supervisor
+from shapeblend_cli.batch.worker import Answer, Order
 from shapeblend_cli.cli import run
 from shapeblend_cli.cli.terminal import Pace
+from shapeblend_cli.job import make
 from tests.support.commands import read_to, start_on_terminal, write
 from tests.support.drawings import BAR, LEAF, svg
 
@@ -118,6 +121,80 @@ def test_jobs_that_fail_take_too_long_or_die_are_tried_again(drawings, broken, b
     status, results, _ = batch("jobs.csv", "--retries", "3")
     assert (status, results[1]["attempts"], results[3]["attempts"]) == (0, 2, 4)
     assert results[2]["attempts"] > 1
+
+
+class Slow:
+    """Writes nothing, and waits while it does; `made` has the numbers of jobs that were written in one step."""
+
+    def __init__(self, monkeypatch, *, fails=0):
+        self.begun, self.goes_on, self.fails, self.made = threading.Event(), threading.Event(), fails, []
+        monkeypatch.setattr(supervisor, "write_answers", self.write)
+        monkeypatch.setattr(supervisor, "write_answer", lambda *one: self.write([one])[0])
+
+    def write(self, made):
+        self.begun.set()
+        assert self.goes_on.wait(60)
+        self.made.append(len(made))
+        self.fails -= 1
+        return [answer._replace(status="done" if self.fails < 0 else "failed") for _, answer, _ in made]
+
+
+def test_what_is_made_while_files_are_written_is_written_in_one_step(monkeypatch):
+    disk, ended, told = Slow(monkeypatch), [], []
+    writer = supervisor.Writer(ended.append, told.append)
+    for number in range(70):
+        answer = Answer("done", contents={Path(f"{number}.svg"): "..."}, made_of={})
+        writer.take(Order((), {}, False), supervisor.Ended(number, answer, 1))
+        assert disk.begun.wait(60)
+    disk.goes_on.set()
+    writer.end()
+    writer.join()
+    assert disk.made == [1, supervisor.AT_ONCE, 5]
+    assert [each.number for each in ended] == [*range(70)]
+    assert told == [None]
+
+
+def test_jobs_wait_while_there_is_much_to_be_written(monkeypatch):
+    disk, ended = Slow(monkeypatch), []
+    monkeypatch.setattr(supervisor, "MUCH", 10)
+    writer = supervisor.Writer(ended.append, lambda error: None)
+
+    def make():
+        for number in range(4):
+            answer = Answer("done", contents={Path("x.svg"): "123456"}, made_of={})
+            writer.take(Order((), {}, False), supervisor.Ended(number, answer, 1))
+
+    maker = threading.Thread(target=make)
+    maker.start()
+    maker.join(0.2)
+    assert maker.is_alive()
+    disk.goes_on.set()
+    maker.join(60)
+    writer.end()
+    writer.join()
+    assert disk.made == [1, 1, 1, 1]
+
+
+@pytest.mark.parametrize(
+    ("retries", "status", "attempts"), [(0, "failed", 1), (1, "failed", 2), (3, "done", 3)]
+)
+def test_what_cannot_be_written_is_tried_again(monkeypatch, retries, status, attempts):
+    disk, ended = Slow(monkeypatch, fails=2), []
+    disk.goes_on.set()
+    writer = supervisor.Writer(ended.append, lambda error: None)
+    answer = Answer("done", contents={}, made_of={})
+    writer.take(Order((), {}, False, retries), supervisor.Ended(7, answer, 1))
+    writer.end()
+    writer.join()
+    assert [(each.number, each.answer.status, each.attempts) for each in ended] == [(7, status, attempts)]
+
+
+@pytest.mark.usefixtures("forked")
+@pytest.mark.parametrize("option", ["", "--verbose", "--results=r.jsonl", "--summary=s.xml", "--cache=c"])
+def test_blends_are_graded_for_notes_only_if_somebody_reads_them(option, drawings, monkeypatch):
+    monkeypatch.setattr(make, "is_suspect", lambda shapes: Path("looked").touch())
+    assert run(["batch", *LINE, "-j", "1", *filter(None, [option])]) == 0
+    assert Path("looked").exists() is bool(option)
 
 
 def test_processes_that_do_not_start_are_one_line(drawings, monkeypatch, capsys):

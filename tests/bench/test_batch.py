@@ -1,16 +1,13 @@
-"""Time of eighty plain pairs of icons as a batch, as separate commands, and by flubber in one process of node.
+"""Time of eighty plain pairs of icons as a batch, and by flubber in one process of node; and of planning a batch.
 
-flubber makes path data of five in-betweens, and writes no files. On a machine with nothing else to do, a batch of one
-process takes less than half of the time of separate commands, and one of two processes less than a quarter.
+flubber makes path data of five in-betweens, and writes no files. `make bench-batches` times batches beside separate
+commands.
 """
 
 import json
-import shutil
 import subprocess
 import sys
 from pathlib import Path
-
-import pytest
 
 from tests.support.commands import write
 from tests.support.drawings import svg
@@ -21,31 +18,17 @@ from tools.quality.peers import flubber
 GROUP = "eighty plain pairs of icons"
 PAIRS = icon_pairs("single")[:80]
 COMMAND = f"{sys.executable} -m shapeblend_cli"
-WAYS = {
-    "separate commands": f"xargs -L 1 {COMMAND} -q",
-    "xargs -P 2": f"xargs -P 2 -L 1 {COMMAND} -q",
-    "batch -j 1": f"{COMMAND} batch jobs.jsonl -q -j 1",
-    "batch -j 2": f"{COMMAND} batch jobs.jsonl -q -j 2",
-}
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_batch(benchmark, here, way):
+def test_batch(benchmark, here):
     benchmark.group = GROUP
     rows = []
     for k, pair in enumerate(PAIRS):
         write(**{f"{k}-a": svg(pair.a), f"{k}-b": svg(pair.b)})
         rows.append({"a": f"{k}-a.svg", "b": f"{k}-b.svg", "o": f"out/{k}.svg"})
     Path("jobs.jsonl").write_text("\n".join(map(json.dumps, rows)), "utf-8")
-    lines = "".join(f"{row['a']} {row['b']} -o {row['o']}\n" for row in rows).encode()
-
-    def again():
-        shutil.rmtree("out", ignore_errors=True)
-        Path("out").mkdir()
-
-    benchmark.pedantic(
-        lambda: subprocess.run(WAYS[way].split(), input=lines, check=True), setup=again, rounds=2
-    )
+    line = f"{COMMAND} batch jobs.jsonl -q -j 1 --force".split()
+    benchmark.pedantic(lambda: subprocess.run(line, check=True), rounds=2)
     assert len(list(Path("out").glob("*.svg"))) == len(PAIRS)
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from shapeblend_cli.cli import run, run_safely
-from shapeblend_cli.job import make as files
+from shapeblend_cli.job import make, targets
 from shapeblend_cli.system import staging
 from shapeblend_cli.system.write import is_inside
 from tests.support.commands import contents, made, names, process
@@ -261,30 +261,30 @@ def test_a_file_that_has_changed_since_is_not_put_back(half_moved):
     ],
 )
 def test_what_another_run_has_written_meanwhile_stays(here, capsys, monkeypatch, arguments, first):
-    write_files = files.write_files
+    write_files = targets.write_files
 
     def write_after_another_run(*given):
-        monkeypatch.setattr(files, "write_files", write_files)
+        monkeypatch.setattr(targets, "write_files", write_files)
         assert run([*BA, *arguments]) == 0
         theirs.update(contents())
         write_files(*given)
 
     theirs = {}
-    monkeypatch.setattr(files, "write_files", write_after_another_run)
+    monkeypatch.setattr(targets, "write_files", write_after_another_run)
     assert run([*AB, *arguments]) == 1
     assert capsys.readouterr().err == f"shapeblend: {first}: exists; --force replaces it\n"
     assert contents() == theirs
 
 
 def test_runs_that_make_the_same_new_folder_both_get_what_they_want(here, monkeypatch):
-    write_files = files.write_files
+    write_files = targets.write_files
 
     def write_after_another_run(*given):
-        monkeypatch.setattr(files, "write_files", write_files)
+        monkeypatch.setattr(targets, "write_files", write_files)
         assert run([*BA, "-o", "deep/other.svg"]) == 0
         write_files(*given)
 
-    monkeypatch.setattr(files, "write_files", write_after_another_run)
+    monkeypatch.setattr(targets, "write_files", write_after_another_run)
     assert run([*AB, "-o", "deep/one.svg"]) == 0
     assert made() == ["deep", "deep/one.svg", "deep/other.svg"]
 
@@ -309,7 +309,7 @@ def test_a_run_that_is_killed_leaves_the_old_or_the_new(tmp_path, name):
 def test_who_is_interrupted_after_writing_is_told_the_truth(here, capsys, monkeypatch, number):
     if signal.getsignal(number) is signal.SIG_IGN:
         pytest.skip("the tests run where this signal is ignored")
-    monkeypatch.setattr(files, "print_text", lambda *_: signal.raise_signal(number))
+    monkeypatch.setattr(targets, "print_text", lambda *_: signal.raise_signal(number))
     assert run([*AB, "-o", "x.svg"]) == 128 + number
     assert capsys.readouterr().err == "shapeblend: interrupted; all files were written\n"
     assert made() == ["x.svg"]
@@ -359,10 +359,10 @@ def test_a_signal_while_a_class_is_made_or_an_error_is_said_is_one_line(here, ca
         def __set_name__(self, *_):
             signal.raise_signal(signal.SIGTERM)
 
-    monkeypatch.setattr(files, "contents_of", lambda _: type("Class", (), {"field": Wraps()}))
+    monkeypatch.setattr(make, "contents_of", lambda _: type("Class", (), {"field": Wraps()}))
     assert run_safely(AB) == 143
     monkeypatch.setattr("shapeblend_cli.cli.in_words", lambda _: signal.raise_signal(signal.SIGTERM))
-    monkeypatch.setattr(files, "contents_of", lambda _: 1 / 0)
+    monkeypatch.setattr(make, "contents_of", lambda _: 1 / 0)
     assert run_safely(AB) == 143
     assert capsys.readouterr().err == 2 * "shapeblend: interrupted; nothing was written\n"
 
