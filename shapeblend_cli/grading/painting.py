@@ -24,6 +24,13 @@ CORNERS = 8
 """Number of corners of the polygon that stands for a round join."""
 
 
+TURNS = np.exp(2j * np.pi * np.arange(CORNERS) / CORNERS)
+"""Directions of the corners of a round join, (`CORNERS`,)."""
+
+FOLLOWING = np.roll(TURNS, -1)
+"""Directions of the corners after these, (`CORNERS`,)."""
+
+
 class _Outlines(NamedTuple):
     """Points along the paths of a shape."""
 
@@ -59,17 +66,25 @@ def picture(shapes: Sequence[PaintedShape], view: Box) -> PictureArray:
     """
     step = view.larger_side / SIDE
     corner = view.centre - 0.5 * SIDE * step * (1.0 + 1.0j)
-    painted = np.zeros((SIDE * SIDE, 4), np.float32)
-    for shape, outlines in zip(shapes, _outlines(shapes), strict=True):
-        for style in (shape.below, shape.style):
-            if style is not None:
-                for layer in _layers(shape.paths, outlines, style):
-                    numbers = winding_grid(layer.starts, layer.ends, corner, step, SIDE)
-                    inside = np.flatnonzero(numbers % 2 != 0 if layer.rule == "evenodd" else numbers != 0)
-                    colour = np.array((*layer.colour, 1.0), np.float32)
-                    under = painted.take(inside, axis=0)
-                    painted[inside] = under + layer.opacity * (colour - under)
-    return np.ascontiguousarray(painted.T).reshape(4, SIDE, SIDE)
+    layers = [
+        layer
+        for shape, outlines in zip(shapes, _outlines(shapes), strict=True)
+        for style in (shape.below, shape.style)
+        if style is not None
+        for layer in _layers(shape.paths, outlines, style)
+    ]
+    is_black = not any(any(layer.colour) for layer in layers)
+    # Of black, only the opacity is not 0.
+    painted = np.zeros(SIDE * SIDE if is_black else (SIDE * SIDE, 4), np.float32)
+    for layer in layers:
+        numbers = winding_grid(layer.starts, layer.ends, corner, step, SIDE)
+        inside = np.flatnonzero(numbers % 2 != 0 if layer.rule == "evenodd" else numbers != 0)
+        colour = np.float32(1.0) if is_black else np.array((*layer.colour, 1.0), np.float32)
+        under = painted.take(inside, axis=0)
+        painted[inside] = under + layer.opacity * (colour - under)
+    found = np.zeros((4, SIDE * SIDE), np.float32)
+    found[3 if is_black else slice(None)] = painted.T
+    return found.reshape(4, SIDE, SIDE)
 
 
 def _outlines(shapes: Sequence[PaintedShape]) -> Iterator[_Outlines]:
@@ -126,15 +141,17 @@ def _stroked(line: ComplexArray, closed: bool, style: Style) -> tuple[ComplexArr
     if square and len(along):
         first[0] -= square * along[0]
         last[-1] += square * along[-1]
-    boxes = np.stack([first - side, last - side, last + side, first + side], axis=1)
     round_ends = closed or style.stroke_linecap == "round"
     joints = line if round_ends else line[1:-1]
-    turns = np.exp(2j * np.pi * np.arange(CORNERS) / CORNERS)
-    discs = joints[:, None] + half * turns
-    return (
-        np.concatenate([boxes.ravel(), discs.ravel()]),
-        np.concatenate([np.roll(boxes, -1, axis=1).ravel(), np.roll(discs, -1, axis=1).ravel()]),
-    )
+    count = len(along) * 4
+    edges = np.empty((2, count + len(joints) * CORNERS), np.complex128)
+    boxes = edges[:, :count].reshape(2, -1, 4)
+    for k, corner in enumerate((first - side, last - side, last + side, first + side)):
+        boxes[0, :, k] = boxes[1, :, k - 1] = corner
+    discs = edges[:, count:].reshape(2, -1, CORNERS)
+    discs[0] = joints[:, None] + half * TURNS
+    discs[1] = joints[:, None] + half * FOLLOWING
+    return edges[0], edges[1]
 
 
 def _rgb(colour: str) -> tuple[float, float, float]:
