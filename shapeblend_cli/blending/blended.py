@@ -89,8 +89,8 @@ def blend_shapes(
     lines = _lines(a, b, pens, settings, view) if is_named else None
     rotation = 0.0
     if settings.motion != "linear" and lines is None:
-        largest = [max(side.contours, key=lambda contour: contour.size) for side in (a, b)]
-        rotation = rotation_between(*(contour.polygon for contour in largest)) or 0.0
+        largest = [max(side.contours, key=lambda contour: contour.size).polygon for side in (a, b)]
+        rotation = progress.once("rotation", largest, (), partial(rotation_between, *largest)) or 0.0
     if rotation:
         paired = pair_drawings(a, b, settings, rotation, progress)
         shapes, places = match_pairs(paired)

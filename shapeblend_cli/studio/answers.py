@@ -42,7 +42,7 @@ from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
 
 if TYPE_CHECKING:
-    from shapeblend_cli.model import Drawing, Pair
+    from shapeblend_cli.model import ContourBlend, Drawing, Pair
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.outputs.formats import OutputSpec
 
@@ -120,7 +120,7 @@ def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int)
                 "wrong": shape.taken.wrong if shape.taken else 0.0,
             }
         )
-        lists.append(correspondence_lists(contour, decimals))
+        lists.append(_kept_lists(contour, decimals))
     return {
         "a": pair.a,
         "b": pair.b,
@@ -142,14 +142,28 @@ def _parts(pair: Pair, drawings: Sequence[Drawing], settings: Settings) -> list[
     ]
 
 
-def _kept_drawing(drawing: Drawing, number: int) -> dict[str, Any]:
-    """Return a drawing as the page shows it, as it was kept or made now."""
-    key = "shown", id(drawing), number
-    found: tuple[Drawing, dict[str, Any]] | None = KEPT.steps.find(key)
+def _kept(
+    step: str, objects: Sequence[object], given: int, make: Callable[[], dict[str, Any]]
+) -> dict[str, Any]:
+    """Return what is made of objects and a number: as it was kept, else as it is made now."""
+    key = step, *map(id, objects), given
+    found: tuple[object, dict[str, Any]] | None = KEPT.steps.find(key)
     if found is None:
-        found = drawing, _drawing(drawing, number)  # as long as the drawing is kept, no other has its id
+        found = objects, make()  # as long as the objects are kept, no others have their ids
         KEPT.steps.keep(key, found, size=0)
     return found[1]
+
+
+def _kept_drawing(drawing: Drawing, number: int) -> dict[str, Any]:
+    """Return a drawing as the page shows it."""
+    return _kept("shown", (drawing,), number, lambda: _drawing(drawing, number))
+
+
+def _kept_lists(contour: ContourBlend, decimals: int) -> dict[str, Any]:
+    """Return `correspondence_lists`, of which a correction leaves most unchanged."""
+    sides = contour.polygon_a, contour.polygon_b, contour.contour_a, contour.contour_b
+    objects = *sides, contour.correspondence, *contour.cuts
+    return _kept("lists", objects, decimals, lambda: correspondence_lists(contour, decimals))
 
 
 def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
