@@ -1,7 +1,8 @@
 """Measure batches beside the same jobs as separate commands: python -m tools.batches [KIND ...] [--rounds N].
 
-Separate commands start one after another. All ways take turns, and the least time of a way in all rounds counts. What a
-batch writes is compared with what the commands write, byte for byte.
+Separate commands start one after another. All ways take turns, and the least time of a way in all rounds counts, and so
+does its processor time, which depends less on what else the machine does. What a batch writes is compared with what the
+commands write, byte for byte.
 """
 
 from __future__ import annotations
@@ -153,10 +154,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
         count, best = measured(KINDS[name], given.rounds)
         print(f"{KINDS[name].what}: {count} jobs")
         for way, each in best.items():
-            times = best["commands"].time / each.time
+            fast, cheap = best["commands"].time / each.time, best["commands"].work / each.work
             print(
-                f"  {way:9}{each.time:8.2f} s, {1000 * each.time / count:7.1f} ms a job, of processors "
-                f"{1000 * each.work / count:7.1f} ms; {times:.2f} times as fast as commands"
+                f"  {way:9}{1000 * each.time / count:8.1f} ms a job, {fast:5.2f} times as fast as commands; "
+                f"of processors {1000 * each.work / count:6.1f} ms, {cheap:5.2f} times as cheap"
             )
         sys.stdout.flush()
 

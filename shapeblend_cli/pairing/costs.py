@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.anatomy.structure import corners
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.options.constants import PAPER, WorkConstants
-from shapeblend_cli.wires.rough import rough_work
+from shapeblend_cli.wires.rough import few, work_of_few
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -207,6 +207,9 @@ class Works:
         is_crowd = self._costs.size > MANY_PAIRS
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
         self._known = {} if known is None else known
+        self._few: dict[
+            tuple[int, int, bool], ComplexArray
+        ] = {}  # vertices by side, index and whether closed
 
     def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
         """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many."""
@@ -217,14 +220,23 @@ class Works:
             first = self._alike[0][i], self._alike[1][j]
             copies = self._a.contours[first[0]].number, self._b.contours[first[1]].number
             if copies not in self._known:
-                p, q = self._a.contours[i].polygon, self._b.contours[j].polygon
-                work = rough_work(to_unit_box(p), to_unit_box(q), p.closed and q.closed, LIKENESS)
+                closed = self._a.contours[i].polygon.closed and self._b.contours[j].polygon.closed
+                p, q = self._vertices(0, i, closed), self._vertices(1, j, closed)
+                work = work_of_few(p, q, closed, LIKENESS)
                 self._known[copies] = WORK_WEIGHT * (
                     1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION)
                 )
             self._costs[i, j] = self._known[copies]
         known: FloatArray = self._costs[some]
         return np.where(np.isnan(known), WORK_WEIGHT, known)
+
+    def _vertices(self, side: int, index: int, closed: bool) -> ComplexArray:
+        """Return a few vertices of a contour in its unit box."""
+        key = side, index, closed
+        if key not in self._few:
+            polygon = (self._a, self._b)[side].contours[index].polygon
+            self._few[key] = few(to_unit_box(polygon), closed)
+        return self._few[key]
 
     def _worth_solving(self, cheap: FloatArray) -> BoolArray:
         """Return the pairs of finite cost; of too many, the cheapest in each row and column."""

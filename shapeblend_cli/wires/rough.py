@@ -29,7 +29,13 @@ def rough_work(
     Open polygons may correspond in either direction. Infinite if so few vertices do not make a polygon, or if closed
     ones take more than the maximum that is of use.
     """
-    p, q = _thinned(p0, closed), _thinned(p1, closed)
+    return work_of_few(few(p0, closed), few(p1, closed), closed, constants, most)
+
+
+def work_of_few(
+    p: ComplexArray, q: ComplexArray, closed: bool, constants: WorkConstants, most: float = np.inf
+) -> float:
+    """Return `rough_work` of polygons that have `few` vertices already."""
     if min(len(p), len(q)) < (3 if closed else 2):
         return np.inf
     if closed:
@@ -41,7 +47,7 @@ def rough_work(
     return min(least_work(Wires(p, directed, closed, constants)).work for directed in directions)
 
 
-def _thinned(vertices: ComplexArray, closed: bool) -> ComplexArray:
+def few(vertices: ComplexArray, closed: bool) -> ComplexArray:
     """Return at most `MOST_VERTICES` vertices, evenly spread by their numbers, none twice in a row."""
     if len(vertices) > MOST_VERTICES:
         last = len(vertices) - (0 if closed else 1)

@@ -6,7 +6,7 @@ from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.match import match_contours
-from shapeblend_cli.wires.rough import rough_work
+from shapeblend_cli.wires.rough import work_of_few
 from tests.support.drawings import contours_of, drawing
 from tests.support.motions import pair_of
 
@@ -69,8 +69,8 @@ def test_nests_of_unlike_depths_are_paired(counts):
 def test_the_works_of_copies_in_a_crowd_are_found_once(monkeypatch):
     solved = []
     monkeypatch.setattr(
-        "shapeblend_cli.pairing.costs.rough_work",
-        lambda *given: solved.append(1) or rough_work(*given),
+        "shapeblend_cli.pairing.costs.work_of_few",
+        lambda *given: solved.append(1) or work_of_few(*given),
     )
     pairs = pair_contours(*(contours_of(squares(120, side, 3)) for side in (2, 2.3)), Settings())
     assert len(pairs) == 120
