@@ -305,19 +305,33 @@ def shares_by_size(
 ) -> dict[Numbers, float]:
     """Return the shares of the time by which parts without a partner leave early or come late, the small ones most.
 
-    What lies in another part without a partner and is about as large, or is a hole in it, goes with it. In a view of a
-    side, in which what has a partner changes so much.
+    What lies in another part without a partner and is about as large, is a hole in it, or a stroke on its edge, goes
+    with it. In a view of a side, in which what has a partner changes so much.
     """
     stirred = min(change / CHANGES, 1.0)
     alone: dict[Numbers, tuple[int, ContourBlend]] = {}
     for k, shape in enumerate(shapes):
         alone |= {(c.a, c.b): (k, c) for c in shape.contours if (c.a, c.b) in parts}
 
+    def fill_of(number: int, contour: ContourBlend) -> tuple[int, ContourBlend] | None:
+        """Return the fill with which a stroke on its edge goes."""
+        if contour.root is None or not _is_stroke(shapes[number]):
+            return None
+        body = alone.get((None, contour.root.body) if contour.grows else (contour.root.body, None))
+        return None if body is None or _is_stroke(shapes[body[0]]) else body
+
     def share(number: int, contour: ContourBlend) -> float:
+        fill = fill_of(number, contour)
+        if fill is not None:
+            return share(*fill)
         size = _size(contour)
         around = contour.parents[int(contour.grows)]
         host = alone.get((None, around) if contour.grows else (around, None)) if around is not None else None
-        if host is not None and (host[0] == number or size > SAME * _size(host[1])):
+        if (
+            host is not None
+            and fill_of(*host) is None
+            and (host[0] == number or size > SAME * _size(host[1]))
+        ):
             return share(*host)
         if contour.grows:
             least = LEAST_APPEARS * stirred
@@ -325,6 +339,20 @@ def shares_by_size(
         return max(LEAST_LEAVES, LEAVES * (1.0 - size / side))
 
     return _together({numbers: share(*found) for numbers, found in alone.items()})
+
+
+def gone_at(contour: ContourBlend, share: float) -> ContourBlend:
+    """Return a part without a partner as it is until it is gone, or from when it comes, at its share of the time.
+
+    It ends, or begins, where what it is attached to is then.
+    """
+    whole, point = (
+        (contour.end, contour.start.segments[0, 0])
+        if contour.grows
+        else (contour.start, contour.end.segments[0, 0])
+    )
+    place = contour.root.place if contour.root else whole.segments[:, 0].mean()
+    return from_point(contour, complex(point + share * (place - point)))
 
 
 def most_shares(shapes: Sequence[ShapeBlend]) -> dict[Numbers, float]:
@@ -398,9 +426,14 @@ def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
     return tuple(found)
 
 
+def _is_stroke(shape: ShapeBlend) -> bool:
+    """Return whether a shape has no fill."""
+    return shape.style_a.fill is shape.style_b.fill is None
+
+
 def _is_line(shape: ShapeBlend) -> bool:
     """Return whether a shape is one stroke."""
-    return len(shape.contours) == 1 and shape.style_a.fill is shape.style_b.fill is None
+    return len(shape.contours) == 1 and _is_stroke(shape)
 
 
 def _ride(contour: ContourBlend, lines: Sequence[ShapeBlend]) -> Ride | None:
@@ -431,7 +464,11 @@ def _to_line(contour: ContourBlend, rides: Mapping[Numbers, Ride]) -> ContourBle
     ride = rides.get((contour.a, contour.b))
     if ride is None:
         return contour
-    there = ride.at(1.0 - float(contour.grows))
+    return from_point(contour, ride.at(1.0 - float(contour.grows)))
+
+
+def from_point(contour: ContourBlend, there: complex) -> ContourBlend:
+    """Return a contour that comes of a point, or goes to it."""
     if contour.grows:
         return contour._replace(
             contour_a=_all_at(contour.contour_a, there),

@@ -21,7 +21,7 @@ from shapeblend_cli.pairing.growth import (
     nearest_paired,
 )
 from shapeblend_cli.pairing.paint_order import Overlaps, paint_places
-from shapeblend_cli.pairing.riders import Ride, ride
+from shapeblend_cli.pairing.riders import Ride, ride, riders
 from shapeblend_cli.pairing.split import AT_EDGE, hole_in_piece
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
@@ -342,7 +342,8 @@ def _growth_points(
     """Return the points from which exteriors and lines without a partner grow, by their numbers.
 
     A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
-    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`.
+    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`. Strokes on
+    the edge of a fill without a partner go with it.
     """
     paired = {match.pair[here].number: match for match in matches}
     areas = {contour.number: contour.area for contour in contours}
@@ -379,6 +380,10 @@ def _growth_points(
     spots |= _points_of_contact(list(beside.values()), matches, here, touching)
     for number, host_number in within.items():
         spots[number] = spots[host_number]
+    fills = {contour.number: contour for contour in loose}
+    for number, host_number in riders(loose, fills.keys()).items():
+        spot, nodes = spots[host_number], fills[host_number].contour.segments[:, 0]
+        spots[number] = _Spot(spot.point, spot.root or Root(complex(nodes.mean()), host_number))
     return spots
 
 

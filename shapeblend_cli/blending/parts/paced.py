@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from shapeblend_cli.model import WHOLE
 from shapeblend_cli.motion.early import (
     CHANGES,
     DETAIL,
@@ -13,16 +14,21 @@ from shapeblend_cli.motion.early import (
     carried_by_lines,
     change_of,
     early_shares,
+    from_point,
+    gone_at,
     most_shares,
     shares_by_size,
     with_early_parts,
 )
+from shapeblend_cli.motion.pen import Drawing, Pen, Riding
+from shapeblend_cli.motion.trims import trim_of
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
 
-    from shapeblend_cli.model import ShapeBlend
+    from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.motion.early import Numbers
+    from shapeblend_cli.motion.pen import Moving
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
@@ -57,11 +63,17 @@ def with_parts_paced(
             part: share for part, share in early.items() if part[0] is None or share > small.get(part, 0.0)
         }
         early = small | told
-    has_strokes = any(_is_stroke_alone(shape, early) for shape in shapes)
+    if is_by_size:
+        shapes = tuple(_drawn_in_time(shape, early) if _is_drawn(shape, early) else shape for shape in shapes)
+        drawn = {(c.a, c.b) for shape in shapes if _is_drawn(shape, early) for c in shape.contours}
+        early = {part: share for part, share in early.items() if part not in drawn}
+    has_strokes = any(_are_strokes_alone(shape, early) for shape in shapes)
     shapes = with_early_parts(shapes, early, evenly=is_by_size and not has_strokes)
     if is_by_size:
         shapes = tuple(
-            _in_time(shape, early) if _is_stroke_alone(shape, early) else shape for shape in shapes
+            part
+            for shape in shapes
+            for part in (_in_time(shape, early) if _are_strokes_alone(shape, early) else (shape,))
         )
     return shapes if kept is None else carried_by_lines(shapes)
 
@@ -74,19 +86,50 @@ def _is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
     return len(paints - {None}) > 1
 
 
-def _is_stroke_alone(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
-    """Return whether a shape with a stroke is one of some parts, and no other."""
+def _are_strokes_alone(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
+    """Return whether a shape with a stroke is one of some parts, or several that are lines, and no other."""
     numbers = {(contour.a, contour.b) for contour in shape.contours}
+    is_line = shape.style_a.fill is shape.style_b.fill is None
     return (
         shape.style_a.stroke is not None
-        and len(numbers) == 1
+        and (len(numbers) == 1 or is_line)
         and numbers <= set(parts)
         and shape.fade is None
     )
 
 
-def _in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBlend:
-    """Return a shape that is one of some parts in its share of the time, its stroke too, which would be a dot."""
-    (contour,) = shape.contours
+def _is_drawn(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
+    """Return whether a shape is one of some parts that is drawn on or back."""
+    return isinstance(shape.motion, Pen) and all((c.a, c.b) in parts for c in shape.contours)
+
+
+def _drawn_in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBlend:
+    """Return a part that is drawn on or back in its share of the time, and carried along as it would be anyway."""
+    (contour,), motion = shape.contours, shape.motion
+    assert isinstance(motion, Pen), "it is drawn"
     share = parts[contour.a, contour.b]
-    return shape._replace(motion=None, span=(share, 1.0) if contour.grows else (0.0, 1.0 - share))
+    span = (share, 1.0) if contour.grows else (0.0, 1.0 - share)
+    pieces = tuple(
+        piece._replace(own=_all_along(piece.own), span=span)
+        if isinstance(piece, Riding)
+        else _all_along(piece)
+        for piece in motion.pieces
+    )
+    motion = motion._replace(pieces=pieces)
+    contour = from_point(contour, complex(motion.points(1.0 - float(contour.grows))[0]))
+    return shape._replace(contours=(contour,), motion=motion, span=span, trim=trim_of(motion))
+
+
+def _all_along(moving: Moving) -> Moving:
+    """Return a polyline that is drawn in all of its own time."""
+    return moving._replace(span=WHOLE) if isinstance(moving, Drawing) else moving
+
+
+def _in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> list[ShapeBlend]:
+    """Return a shape of parts that are there in their shares of the time, their strokes too, which would be dots."""
+    spans: dict[tuple[float, float], list[ContourBlend]] = {}
+    for contour in shape.contours:
+        share = parts[contour.a, contour.b]
+        span = (share, 1.0) if contour.grows else (0.0, 1.0 - share)
+        spans.setdefault(span, []).append(gone_at(contour, share))
+    return [shape._replace(contours=tuple(own), motion=None, span=span) for span, own in spans.items()]

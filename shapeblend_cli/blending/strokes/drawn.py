@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.model import Box, Place
-from shapeblend_cli.motion.pen import Pen, Riding, Straight
+from shapeblend_cli.model import Box, Fade, Place
+from shapeblend_cli.motion.pen import Drawing, Pen, Riding, Straight
 from shapeblend_cli.pairing.growth import MatchedPoints, carried
 from shapeblend_cli.pens.drawings import file_line, recovered_lines
 from shapeblend_cli.pens.line import UNITS
@@ -53,9 +53,22 @@ def with_drawn_strokes(
                 own = drawn.shape(scale, paired.settings.constants)
                 (path,) = own.contours
                 own = own._replace(contours=(path._replace(parents=contour.parents, lines=(None, None)),))
-                found.append(without_dots(own, strokes, is_straight=False))
+                found.append(_faded_in_time(without_dots(own, strokes, is_straight=False), drawn))
         numbers.append(range(begin, len(found)))
     return found, [Place(k, place.end) for place in places for k in numbers[place.shape]]
+
+
+def _faded_in_time(shape: ShapeBlend, move: Move) -> ShapeBlend:
+    """Return a line that fades, if it does, when it is drawn back or begins to be drawn on: it is no dot for longer."""
+    (piece,) = move.motion.pieces
+    drawing = piece.own if isinstance(piece, Riding) else piece
+    if shape.fade is None or not isinstance(drawing, Drawing):
+        return shape
+    begin, until = drawing.span
+    length = shape.fade.until - shape.fade.begin
+    if shape.fade.comes:
+        return shape._replace(fade=Fade(begin, begin + length, comes=True))
+    return shape._replace(fade=Fade(until - length, until, comes=False))
 
 
 def _carrier(contour: ContourBlend, scale: float) -> Pen:
@@ -85,13 +98,19 @@ def _loose_lines(
 def _loose_line(
     contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], progress: Progress, scale: float
 ) -> PenLine | None:
-    """Return a straight stroke or a slash that grows from a point, or shrinks to one, as a line; else None."""
+    """Return a straight stroke or a slash that grows from a point, or shrinks to one, as a line; else None.
+
+    A stroke that goes with a fill without a partner is none.
+    """
     if contour.is_matched or not (contour.start if contour.a is None else contour.end).is_point:
         return None
     number, here = (contour.b, 1) if contour.a is None else (contour.a, 0)
     own = placed[here].get(number) if number is not None else None
     if own is None:
         return None
+    body = placed[here].get(contour.root.body) if contour.root is not None else None
+    if body is not None and body.style.fill is not None:
+        return None  # it goes with that
     others = placed[here].values()
     line = progress.once("line", (own,), scale, lambda: _stroke_or_slash(own, others, scale))
     if line is None or line.closed or line.length < SHORT * line.width:
