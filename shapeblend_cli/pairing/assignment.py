@@ -260,6 +260,12 @@ class Pairing:
         roles = np.array([contour.role for contour in a]), np.array([contour.role for contour in b])
         self._fit = roles[0][:, None] == roles[1]
         outer = [side != HOLE for side in roles]
+        # An open contour that is filled is seen as a closed one.
+        filled = [
+            own & [contour.style.fill is not None for contour in side]
+            for own, side in zip(outer, (a, b), strict=True)
+        ]
+        self._fit |= filled[0][:, None] & filled[1]
         if not self._fit[np.ix_(*outer)].any():
             self._fit |= outer[0][:, None] & outer[1]
         in_a, in_b = ({contour.number: k for k, contour in enumerate(side)} for side in (a, b))

@@ -141,7 +141,7 @@ def ride(
     It is cut where strokes of the other drawing, whose contours are `there`, begin or end to cover its image. Nothing
     is returned if it does not run along the edge.
     """
-    strokes = [contour for contour in there if contour.style.stroke is not None]
+    strokes = [contour for contour in there if _has_line(contour.style)]
     whole = _follow_edge(stroke, leader, here)
     if whole is None:
         return []
@@ -160,6 +160,11 @@ def ride(
         else:
             rides.append(Ride(stroke, part.blend, None, stroke.style._replace(stroke_width=0.0)))
     return rides
+
+
+def _has_line(style: Style) -> bool:
+    """Return whether there is a stroke that is seen as a line: not one of the paint of its fill, which it enlarges."""
+    return style.stroke is not None and style.paints[0] != style.paints[1]
 
 
 class _Following(NamedTuple):
