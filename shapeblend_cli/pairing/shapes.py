@@ -89,6 +89,7 @@ class _Group(NamedTuple):
     b: int | None  # index of its shape in B
     stroke_grows: bool = False  # from nothing, with the contours
     covered_in: int | None = None  # the drawing that has other strokes in its place: A, 0, or B, 1
+    rides: bool = False  # on the edges of fills, as its contours do
 
     @property
     def sources(self) -> tuple[int | None, int | None]:
@@ -145,7 +146,7 @@ def shape_blends(
         riding = _rides(contours, (a, b)[1 - here], matches, riders[here], here)
         for stroke in riding:
             covered_in = None if stroke.shape is None else 1 - here
-            group = _Group(*_from_a(stroke.contour.shape, stroke.shape, here), True, covered_in)
+            group = _Group(*_from_a(stroke.contour.shape, stroke.shape, here), True, covered_in, True)
             add(group, stroke.blend, _from_a(stroke.contour.style, stroke.style, here))
         rides = {stroke.contour.number for stroke in riding}
         contours = [contour for contour in contours if contour.number not in rides]
