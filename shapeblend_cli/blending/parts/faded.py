@@ -32,7 +32,7 @@ MOSTLY = 0.7
 """Minimum share of the nodes of a part in an outline of which it is a part, as a tongue is one of the mouth."""
 
 GONE = 0.4
-"""Time at which parts that leave are gone. Parts that come begin to come as long before the end."""
+"""Time at which parts that leave are gone. Parts that come begin then and take as long, lest a body be bare."""
 
 AFFORDABLE = 100
 """Maximum number of shapes of a blend whose parts are looked at."""
@@ -187,7 +187,7 @@ def _faded(shapes: Sequence[ShapeBlend], part: _Part, body: _Body) -> ShapeBlend
         motion=Rigid(body.motion.alignments * len(contours)) if isinstance(body.motion, Rigid) else None,
         reason=FADES,
         span=WHOLE,
-        fade=Fade(1.0 - GONE, 1.0, comes=True) if part.end else Fade(0.0, GONE, comes=False),
+        fade=Fade(GONE, 2.0 * GONE, comes=True) if part.end else Fade(0.0, GONE, comes=False),
     )
 
 
