@@ -36,10 +36,11 @@ def test_a_large_part_that_leaves_keeps_its_size_and_fades():
     assert pair.shapes[1].reason == FADES
 
 
-def test_a_large_part_that_comes_does_so_in_reverse():
+def test_a_large_part_that_comes_begins_when_others_are_gone():
     pair = blend(TALL, ROUND + PLATE)
-    assert part(pair, 0.5)[1] == 0.0
-    assert part(pair, 0.8)[1] == pytest.approx(0.5)
+    assert part(pair, 0.4)[1] == 0.0
+    assert part(pair, 0.6)[1] == pytest.approx(0.5)
+    assert part(pair, 0.8)[1] == pytest.approx(1.0)
     assert part(pair, 1.0)[1] == 1.0
 
 
