@@ -5,7 +5,11 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from shapeblend_cli.blending.copies import CROWD
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.interpolate.paths import segments_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import Alignment, align_contours, shared_alignments
 from shapeblend_cli.motion.choose import (
@@ -20,13 +24,22 @@ from shapeblend_cli.motion.choose import (
     looks_right,
 )
 from shapeblend_cli.motion.parts import parts_of, turn_of
-from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
+from shapeblend_cli.motion.rigid import Rigid
+from shapeblend_cli.motion.rotation import MUCH, is_rotated_copy, rotation_between, turn_between
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.matched import PairedDrawings
-    from shapeblend_cli.model import ShapeBlend
+    from shapeblend_cli.model import ContourBlend, ShapeBlend
+
+IN_PLACE = 0.03
+"""Maximum distance that a contour moves that stays where it is, as a share of its larger side."""
+
+SAME_SIZE = 0.8
+"""Minimum ratio of the sides of a contour and its partner for it to be turned."""
+
+PARTS_TURN = "parts are turned, and little else"
 
 
 def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box) -> tuple[ShapeBlend, ...]:
@@ -46,10 +59,11 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
             is_affordable=affordable > 0 and len(shape.contours) <= CROWD,
         )
         choice = choose(shape, situation)
+        turn = partial(_with_parts_turned, paired, shapes[k])
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
         if choice.motion == JUDGED:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
-            chosen[k] = paired.judged(shape, view, shared[k], partial(_judged, shape, view, rotate))
+            chosen[k] = paired.judged(shape, view, shared[k], partial(_judged, shape, view, turn, rotate))
         elif choice.motion == "linear":
             chosen[k] = shape._replace(reason=choice.reason)
         else:
@@ -57,10 +71,89 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
     return tuple(chosen[k] for k in range(len(shapes)))
 
 
-def _judged(shape: ShapeBlend, view: Box, rotate: Callable[[], RotatedShape]) -> ShapeBlend:
-    """Return a shape on straight paths if these look right, else in the motion that the judge prefers."""
+def _judged(
+    shape: ShapeBlend,
+    view: Box,
+    turn: Callable[[], ShapeBlend | None],
+    rotate: Callable[[], RotatedShape],
+) -> ShapeBlend:
+    """Return a shape whose parts turn, or on straight paths if these look right, else as the judge prefers."""
+    turned = turn()
+    if turned is not None:
+        return turned
     straight = judged_straight(shape, view)
     return straight if looks_right(straight) else best_motion(straight, rotate(), view)
+
+
+def _with_parts_turned(paired: PairedDrawings, matched: ShapeBlend) -> ShapeBlend | None:
+    """Return a shape some parts of which are turned far, and turn as they are; None if there are none.
+
+    What stays in place is no part: an arrow that is cut out of a plate turns in it.
+    """
+    contours = list(matched.contours)
+    moving = [k for k, contour in enumerate(contours) if contour.is_matched and not _stays(contour)]
+    if not any(_may_turn(contours[k]) for k in moving):
+        return None
+    middle = Box.union([contour.polygon_a.box for contour in contours]).centre
+    alignments = [_at_rest(contour) for contour in contours]
+    turned = set()
+    for part in parts_of([contours[k] for k in moving]):
+        numbers = [moving[k] for k in part]
+        largest = max((contours[k] for k in numbers), key=lambda contour: contour.scale_a)
+        angle = turn_between(largest.polygon_a, largest.polygon_b) if _may_turn(largest) else None
+        if angle is None:
+            continue
+        own = paired.match_again(matched._replace(contours=tuple(contours[k] for k in numbers)), angle)
+        turn = turn_of(own.contours, middle)
+        if abs(turn.rotation) < MUCH:
+            continue
+        for k, contour in zip(numbers, own.contours, strict=True):
+            contours[k], alignments[k] = contour, turn
+        turned.update(numbers)
+    if not turned:
+        return None
+    shape = paired.curved(matched._replace(contours=tuple(contours)))
+    shape = shape._replace(motion=Rigid(tuple(alignments)), reason=PARTS_TURN)
+    return shape if _keeps_within(shape, turned) else None
+
+
+def _stays(contour: ContourBlend) -> bool:
+    """Return whether a contour hardly changes."""
+    a, b = contour.dot_points()
+    return bool(np.abs(a - b).max() < IN_PLACE * contour.polygon_a.box.larger_side)
+
+
+def _at_rest(contour: ContourBlend) -> Alignment:
+    """Return the similarity that leaves a contour on straight paths."""
+    centre = contour.polygon_a.box.centre
+    return Alignment(centre, centre, 1.0, 0.0)
+
+
+def _may_turn(contour: ContourBlend) -> bool:
+    """Return whether a contour has about the size of its partner, which may be turned."""
+    if not (contour.start.closed and contour.end.closed):
+        return False
+    sides = [sorted((box.width, box.height)) for box in (contour.polygon_a.box, contour.polygon_b.box)]
+    return all(min(pair) > SAME_SIZE * max(pair) for pair in zip(*sides, strict=True))
+
+
+def _keeps_within(shape: ShapeBlend, turned: set[int]) -> bool:
+    """Return whether parts that turn stay within the outlines that they lie in."""
+    others = [contour for k, contour in enumerate(shape.contours) if k not in turned]
+    for k in turned:
+        first = shape.contours[k].start.segments[:1, 0]
+        around = [
+            contour.polygon_a.vertices
+            for contour in others
+            if winding_numbers(first, contour.polygon_a.vertices)[0]
+        ]
+        if not around:
+            continue
+        for t in (0.25, 0.5, 0.75):
+            points = segments_at(shape, t)[k][:, 0]
+            if not all(winding_numbers(points, vertices).all() for vertices in around):
+                return False
+    return True
 
 
 def _shared(paired: PairedDrawings, shapes: Sequence[ShapeBlend]) -> Sequence[Alignment | None]:

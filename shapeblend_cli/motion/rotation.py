@@ -36,6 +36,18 @@ LONG = 0.8
 """Minimum difference of a long outline's spreads along and across, as a share of their sum: a bar three times as long
 as wide has this one."""
 
+MUCH = np.radians(80.0)
+"""Minimum angle of a turn that shapes make for its own sake, in radians."""
+
+ABOUT_ALIKE = 0.988
+"""Minimum correlation of outlines that are about the same when one of them is turned so."""
+
+FAR_MORE = 3.0
+"""Minimum ratio of what outlines lack to be the same if turned less to what they lack if turned so."""
+
+UNLIKE = 0.98
+"""Maximum correlation of outlines that are turned less: discs are as good in any way."""
+
 LEAST_ROTATION = np.radians(1.0)
 """Minimum angle of a rotation, in radians."""
 
@@ -53,16 +65,10 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     if a.closed != b.closed:
         return None
     (p, mean_a), (q, mean_b) = (_even(polygon) for polygon in (a, b))
-    if _spread_differently(p, q):
+    if _spread_differently(p, q, ALIKE):
         return None
-    if a.closed:
-        # Summed here, since numpy.fft takes longer to import.
-        round_twice = np.concatenate([q, q[:-1]])
-        begun = np.ascontiguousarray(np.lib.stride_tricks.sliding_window_view(round_twice, SAMPLES))
-        common = begun @ p.conj() / SAMPLES
-    else:
-        common = np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
-    size_a, size_b = (float(np.sqrt((np.abs(z) ** 2).mean())) for z in (p, q))
+    common = _common(p, q, a.closed)
+    size_a, size_b = _size(p), _size(q)
     correlation = np.abs(common) / (size_a * size_b)
     if correlation.max() < ALIKE:
         return None
@@ -81,15 +87,47 @@ def rotation_between(a: Polygon, b: Polygon) -> float | None:
     return angle if abs(angle) > LEAST_ROTATION else None
 
 
-def _spread_differently(p: ComplexArray, q: ComplexArray) -> bool:
-    """Return whether the distances of points from their mean rule out that two outlines are `ALIKE`.
+def turn_between(a: Polygon, b: Polygon) -> float | None:
+    """Return by which large angle a closed polygon is turned to become about another one; None if it is not.
+
+    It would be far from the other one if it were turned less.
+    """
+    p, q = (_even(polygon)[0] for polygon in (a, b))
+    if _spread_differently(p, q, ABOUT_ALIKE):
+        return None
+    common = _common(p, q, closed=True)
+    correlation, angles = np.abs(common) / (_size(p) * _size(q)), np.angle(common)
+    best = int(correlation.argmax())
+    if correlation[best] < ABOUT_ALIKE or abs(angles[best]) < MUCH:
+        return None
+    less = correlation[np.abs(angles) < MUCH].max(initial=0.0)
+    is_turned = less < UNLIKE and 1.0 - less > FAR_MORE * (1.0 - correlation[best])
+    return float(angles[best]) if is_turned else None
+
+
+def _common(p: ComplexArray, q: ComplexArray, closed: bool) -> ComplexArray:
+    """Return the mean product of points of two outlines for every start, or in both directions of open ones."""
+    if not closed:
+        return np.stack([q, q[::-1]]) @ p.conj() / SAMPLES
+    # Summed here, since numpy.fft takes longer to import.
+    round_twice = np.concatenate([q, q[:-1]])
+    begun = np.ascontiguousarray(np.lib.stride_tricks.sliding_window_view(round_twice, SAMPLES))
+    return begun @ p.conj() / SAMPLES
+
+
+def _size(z: ComplexArray) -> float:
+    return float(np.sqrt((np.abs(z) ** 2).mean()))
+
+
+def _spread_differently(p: ComplexArray, q: ComplexArray, alike: float) -> bool:
+    """Return whether the distances of points from their mean rule out a correlation of two outlines.
 
     Outlines of size 1 with a correlation c differ by ``2 - 2 c`` in the sum of squares. Their distances differ by no
     more, whatever the angle, and by the least if both are sorted.
     """
     spreads = [np.sort(np.abs(z)) for z in (p, q)]
     of_a, of_b = (spread / np.sqrt((spread**2).sum()) for spread in spreads)
-    return bool(((of_a - of_b) ** 2).sum() > 2.0 - 2.0 * ALIKE)
+    return bool(((of_a - of_b) ** 2).sum() > 2.0 - 2.0 * alike)
 
 
 def _are_hinged(z: ComplexArray, shift: complex, factors: ComplexArray) -> BoolArray:

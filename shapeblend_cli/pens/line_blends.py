@@ -28,7 +28,7 @@ from shapeblend_cli.pens.partners import least_work_turned, travelling
 from shapeblend_cli.pens.slashes import crossing_out, is_slash, slash_among
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
-from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned, signs_turned
+from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned, signs_turned, turned_among
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -105,8 +105,8 @@ def blend_lines(
         turned = as_whole(one.lines, other.lines) or signs_turned(one.lines, other.lines)
     if turned:
         return LineBlend(_shapes(turned, scale, settings), ([], []), settings)
-    has_bodies = bool(one.bodies or other.bodies)
-    moves, kept = line_moves(one.lines, other.lines, required, settings, scale, has_bodies=has_bodies)
+    every = [*one.bodies, *other.bodies]
+    moves, kept = line_moves(one.lines, other.lines, required, settings, scale, bodies=every)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
     if is_plain and kept < KEPT and not (is_asked or required.pairs):
@@ -213,9 +213,12 @@ def line_moves(
     settings: Settings,
     scale: float,
     *,
-    has_bodies: bool = False,
+    bodies: Sequence[PlacedContour] = (),
 ) -> tuple[list[Move], float]:
-    """Return how the lines of one drawing become those of the other, and the share of their length that stays."""
+    """Return how the lines of one drawing become those of the other, and the share of their length that stays.
+
+    `bodies` are what is no line in both drawings.
+    """
     moves = [
         _by_wires((a[i], b[j]), pins, settings, scale, REQUIRED) for (i, j), pins in required.pairs.items()
     ]
@@ -230,14 +233,18 @@ def line_moves(
         b = [line._replace(points=line.points - shift) for line in b]
         centres = centres[0], centres[1] - shift
     required_moves, moves = moves, []
+    may_turn = settings.motion != "linear" and not (settings.mix or settings.stiff)
+    shorter = min(sum(line.length for line in lines) for lines in (a, b))
+    if may_turn:
+        moves, a, b = turned_among(a, b, [body.polygon.vertices * scale for body in bodies])
+    kept = sum(move.a.length for move in moves if move.a)
     runs = common_runs(a, b)
     together = _travelling_together(a, b, runs)
     taken = {pair.a for pair in together}, {pair.b for pair in together}
     runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
     moves += [staying(each, a, b) for each in stayed(a, b, runs)]
     moves += [becoming(a[p.a], b[p.b], p.points_a, p.points_b) for p in together]
-    shorter = min(sum(line.length for line in lines) for lines in (a, b))
-    kept = sum(run.length for run in runs) / max(shorter, 1e-9)
+    kept = (kept + sum(run.length for run in runs)) / max(shorter, 1e-9)
     used = {run.a for run in runs} | taken[0], {run.b for run in runs} | taken[1]
     free = [
         [line for k, line in enumerate(lines) if k not in done]
@@ -245,16 +252,15 @@ def line_moves(
     ]
     slash = slash_among(free[0], free[1], kept)
     crossing = free[slash[0]].pop(slash[1]) if slash else None
-    may_turn = settings.motion != "linear" and not (settings.mix or settings.stiff)
     turned = sign_turned(free[0], free[1]) if may_turn else None
     if turned:
         moves += turned
         free = [[], []]
-    is_alone = not (moves or required_moves or crossing or has_bodies) and may_turn
+    is_alone = not (moves or required_moves or crossing or bodies) and may_turn
     found, angle = least_work_turned(free[0], free[1], centres, may_turn=is_alone)
     others, *copied = split_moves(found, moves)
     moves += others
-    moves += _left_alone(found, copied, moves, has_bodies=has_bodies)
+    moves += _left_alone(found, copied, moves, has_bodies=bool(bodies))
     if slash is not None and crossing is not None:
         moves = crossing_out(crossing, moves, is_new=bool(slash[0]))
     moves = [

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.grouping import grouped
+from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Whole
@@ -31,6 +32,18 @@ LEAST_COPIED = 0.9
 
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
+
+LEAST_OF_SIGN = 2
+"""Minimum number of lines of a sign among other lines that turns."""
+
+LEAST_WAY = 1.0
+"""Minimum mean way that places of such a sign would go without, in units."""
+
+TIMES = (0.0, 1.0), (0.25, 0.5, 0.75)
+"""Times at which such a sign is at its ends, and in between."""
+
+TOUCHING = 0.9
+"""Maximum distance of lines that touch, in widths."""
 
 MOST_OF_SIGN = 4
 """Maximum number of lines of a sign that turns."""
@@ -99,6 +112,56 @@ def signs_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | Non
             return None
         moves += turned
     return moves
+
+
+def turned_among(
+    a: Sequence[PenLine], b: Sequence[PenLine], bodies: Sequence[ComplexArray]
+) -> tuple[list[Move], list[PenLine], list[PenLine]]:
+    """Return how signs that are turned where they are move, and the other lines of both drawings.
+
+    A shaft that stays while its head is folded over would be a cross half way. Signs do not turn that would run into
+    other lines, or lie in bodies, polygons in units.
+    """
+    moves: list[Move] = []
+    rest, others = list(a), list(b)
+    if min(len(a), len(b)) < LEAST_OF_SIGN:
+        return moves, rest, others
+    signs = [[sign for sign in _signs(lines) if _may_turn(sign)] for lines in (a, b)]
+    for sign in signs[0]:
+        there = [other for other in signs[1] if len(other) == len(sign)]
+        if not there:
+            continue
+        other = min(there, key=lambda each: abs(centre_of(each) - centre_of(sign)))
+        if _nearest(_outlines(sign), _outlines(other))[1] < LEAST_WAY:
+            continue
+        found = sign_turned(sign, other)
+        beside = [line for side, own in ((a, sign), (b, other)) for line in _without(side, own)]
+        if found is not None and not _run_into(found, beside, bodies):
+            moves += found
+            signs[1] = [each for each in signs[1] if each is not other]
+            rest, others = _without(rest, sign), _without(others, other)
+    return moves, rest, others
+
+
+def _without(lines: Sequence[PenLine], some: Sequence[PenLine]) -> list[PenLine]:
+    return [line for line in lines if not any(line is each for each in some)]
+
+
+def _run_into(moves: Sequence[Move], beside: Sequence[PenLine], bodies: Sequence[ComplexArray]) -> bool:
+    """Return whether lines that turn touch others more than at their ends, or lie in bodies."""
+    for move in moves:
+        ends, middle = [np.concatenate([evenly(move.motion.points(t), 0.5) for t in some]) for some in TIMES]
+        if any(winding_numbers(np.append(ends, middle), body).any() for body in bodies):
+            return True
+        for line in beside:
+            apart = [float(foot_points(points, line.drawn)[0].min()) for points in (ends, middle)]
+            if apart[1] < min(apart[0], TOUCHING * line.width):
+                return True
+    return False
+
+
+def _may_turn(sign: Sequence[PenLine]) -> bool:
+    return LEAST_OF_SIGN <= len(sign) <= MOST_OF_SIGN and not any(line.closed for line in sign)
 
 
 def _signs(lines: Sequence[PenLine]) -> list[list[PenLine]]:
