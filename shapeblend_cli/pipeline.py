@@ -136,6 +136,10 @@ def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progr
         shapes = blend_with_pictures(a.placed, b.placed, settings, view, progress)
     else:
         shapes = blend_shapes(a.placed, b.placed, settings, view, progress)
+    if settings.motion == "auto" and any(shape.motion_name in ("rigid", "pen") for shape in shapes):
+        from shapeblend_cli.motion.inward import kept_in_view  # many drawings do not turn
+
+        shapes = kept_in_view(shapes, view)
     progress.clock.lap("interpolate")
     return Pair(i, k, shapes, (a.painted, b.painted), (a.view, b.view), (a.page, b.page))
 

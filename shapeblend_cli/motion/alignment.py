@@ -43,12 +43,17 @@ PIVOT_REACH = 1.75
 
 
 class Alignment(NamedTuple):
-    """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that change evenly."""
+    """The similarity ``a -> scale * exp(1j * rotation) * (a - centre_a) + centre_b``, in parts that change evenly.
+
+    Half way it is smaller by the share `dip`, and aside by `aside`, so that what turns stays in the picture.
+    """
 
     centre_a: complex
     centre_b: complex
     scale: float
     rotation: float  # in radians, positive from x towards y
+    dip: float = 0.0
+    aside: complex = 0j
 
     @property
     def is_in_place(self) -> bool:
@@ -70,8 +75,12 @@ class Alignment(NamedTuple):
 
     def apply(self, z: ComplexArray, t: float) -> ComplexArray:
         """Map points around the origin to time t; angle and scale change evenly, and the centre moves straight."""
-        centre = (1.0 - t) * self.centre_a + t * self.centre_b
-        return z * cmath.rect(1.0 - t + t * self.scale, self.rotation * t) + centre
+        scale = (1.0 - t + t * self.scale) * (1.0 - self.dip * math.sin(math.pi * t))
+        return z * cmath.rect(scale, self.rotation * t) + self.middle(t)
+
+    def middle(self, t: float) -> complex:
+        """Return where the centre is at time t."""
+        return (1.0 - t) * self.centre_a + t * self.centre_b + self.aside * math.sin(math.pi * t)
 
 
 class PointPairs(NamedTuple):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
@@ -170,7 +171,8 @@ class Whole(NamedTuple):
     """A polyline of a drawing that is turned or flipped as a whole.
 
     It turns by `angle`, in radians, about `centre`, which moves on to `target`; or it is flipped across the direction
-    `axis`, a unit vector, about these. What is then `left` of the way to the other drawing is gone evenly.
+    `axis`, a unit vector, about these. What is then `left` of the way to the other drawing is gone evenly. Half way it
+    is smaller by the share `dip`, and aside by `aside`, so that it stays in the picture.
     """
 
     a: ComplexArray
@@ -179,20 +181,26 @@ class Whole(NamedTuple):
     angle: float = 0.0
     axis: complex = 0j
     left: ComplexArray | float = 0.0
+    dip: float = 0.0
+    aside: complex = 0j
 
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time."""
-        offsets = self.a - self.centre
+        offsets = (self.a - self.centre) * (1.0 - self.dip * math.sin(math.pi * t))
         if self.axis:
             across = offsets * self.axis.conjugate()
             offsets = (across.real + 1j * np.cos(np.pi * t) * across.imag) * self.axis
-        middle = (1.0 - t) * self.centre + t * self.target
-        return middle + offsets * np.exp(1j * self.angle * t) + t * self.left
+        return self.middle(t) + offsets * np.exp(1j * self.angle * t) + t * self.left
+
+    def middle(self, t: float) -> complex:
+        """Return where the centre is at a time."""
+        return (1.0 - t) * self.centre + t * self.target + self.aside * math.sin(math.pi * t)
 
     def scaled(self, by: float) -> Whole:
         """Return the same, so many times as large."""
         centre, target = self.centre * by, self.target * by
-        return self._replace(a=self.a * by, centre=centre, target=target, left=self.left * by)
+        aside = self.aside * by
+        return self._replace(a=self.a * by, centre=centre, target=target, left=self.left * by, aside=aside)
 
 
 class Riding(NamedTuple):

@@ -51,13 +51,16 @@ class Whole(NamedTuple):
     """Motion of a drawing that is turned as a whole, or turned over; all other change is on straight paths.
 
     It turns by `angle`, in radians, about its centre. Or what lies in the direction `over`, a unit vector, and what
-    lies opposite change places: it is turned over about the axis at a right angle to that.
+    lies opposite change places: it is turned over about the axis at a right angle to that. Half way it is smaller by
+    the share `dip`, and aside by `aside`, so that it stays in the picture.
     """
 
     centre_a: complex
     centre_b: complex
     angle: float = 0.0
     over: complex = 0j
+    dip: float = 0.0
+    aside: complex = 0j
 
     @property
     def name(self) -> str:
@@ -78,8 +81,12 @@ class Whole(NamedTuple):
             share = math.copysign(max(abs(seen), THINNEST), seen)
             offsets = offsets + (share - 1.0) * (offsets * self.over.conjugate()).real * self.over
         else:
-            offsets = offsets * cmath.rect(1.0, self.angle * t)
-        return (1.0 - t) * self.centre_a + t * self.centre_b + offsets
+            offsets = offsets * cmath.rect(1.0 - self.dip * math.sin(math.pi * t), self.angle * t)
+        return self.middle(t) + offsets
+
+    def middle(self, t: float) -> complex:
+        """Return where the centre is at time t."""
+        return (1.0 - t) * self.centre_a + t * self.centre_b + self.aside * math.sin(math.pi * t)
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
