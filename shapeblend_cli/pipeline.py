@@ -137,7 +137,7 @@ def _pair(laid: Sequence[LaidDrawing], i: int, k: int, settings: Settings, progr
     else:
         shapes = blend_shapes(a.placed, b.placed, settings, view, progress)
     if settings.motion == "auto" and any(shape.motion_name in ("rigid", "pen") for shape in shapes):
-        from shapeblend_cli.motion.inward import kept_in_view  # many drawings do not turn
+        from shapeblend_cli.blending.kept_in_view import kept_in_view  # many drawings do not turn
 
         shapes = kept_in_view(shapes, view)
     progress.clock.lap("interpolate")

@@ -203,6 +203,25 @@ class Whole(NamedTuple):
         return self._replace(a=self.a * by, centre=centre, target=target, left=self.left * by, aside=aside)
 
 
+class Sliding(NamedTuple):
+    """A stretch that slides along a path, from one pair of lengths to another; its vertices are those of the path."""
+
+    path: ComplexArray
+    begins: tuple[float, float]
+    ends: tuple[float, float]
+
+    def points(self, t: float) -> ComplexArray:
+        """Return the points at a time."""
+        lengths = cumulative_lengths(self.path)
+        low, high = ((1.0 - t) * p + t * q for p, q in zip(self.begins, self.ends, strict=True))
+        return points_at(np.clip(lengths, low, high), self.path, lengths)
+
+    def scaled(self, by: float) -> Sliding:
+        """Return the same, so many times as large."""
+        begins, ends = (tuple(length * by for length in pair) for pair in (self.begins, self.ends))
+        return Sliding(self.path * by, (begins[0], begins[1]), (ends[0], ends[1]))
+
+
 class Riding(NamedTuple):
     """A polyline that is carried along by a place of another line, on whose edge it lies at a time.
 

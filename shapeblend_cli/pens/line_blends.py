@@ -10,6 +10,7 @@ from shapeblend_cli.geometry.cubics import directions
 from shapeblend_cli.model import WHOLE
 from shapeblend_cli.model.arrays import median
 from shapeblend_cli.motion.pen import Pen, Together, between
+from shapeblend_cli.pens.around import slid_around
 from shapeblend_cli.pens.drawings import MOST_LINES
 from shapeblend_cli.pens.joints import with_bows, with_pieces
 from shapeblend_cli.pens.line import foot_points
@@ -237,6 +238,8 @@ def line_moves(
     shorter = min(sum(line.length for line in lines) for lines in (a, b))
     if may_turn:
         moves, a, b = turned_among(a, b, [body.polygon.vertices * scale for body in bodies])
+        slides, a, b = slid_around(a, b, has_more=bool(moves or bodies))
+        moves += slides
     kept = sum(move.a.length for move in moves if move.a)
     runs = common_runs(a, b)
     together = _travelling_together(a, b, runs)
