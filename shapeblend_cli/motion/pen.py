@@ -32,6 +32,10 @@ FLATTENS = 0.3
 """Minimum length half way of a line that turns over, as a share of its shorter end."""
 
 
+SHORTEST = 1e-3
+"""Minimum distance of a vertex from the ends of a stretch that slides, as a share of the length of its path."""
+
+
 class Moving(Protocol):
     """Points that move."""
 
@@ -204,22 +208,35 @@ class Whole(NamedTuple):
 
 
 class Sliding(NamedTuple):
-    """A stretch that slides along a path, from one pair of lengths to another; its vertices are those of the path."""
+    """A stretch that slides along a path, from the pair of lengths `start` to `end`, with the vertices of the path.
 
-    path: ComplexArray
-    begins: tuple[float, float]
-    ends: tuple[float, float]
+    The path itself goes from `a` to `b`. Vertices beyond the ends are spread over the first and the last edge: edges
+    without length have no caps.
+    """
+
+    a: ComplexArray
+    b: ComplexArray
+    start: tuple[float, float]
+    end: tuple[float, float]
 
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time."""
-        lengths = cumulative_lengths(self.path)
-        low, high = ((1.0 - t) * p + t * q for p, q in zip(self.begins, self.ends, strict=True))
-        return points_at(np.clip(lengths, low, high), self.path, lengths)
+        path = (1.0 - t) * self.a + t * self.b
+        lengths = cumulative_lengths(path)
+        low, high = ((1.0 - t) * p + t * q for p, q in zip(self.start, self.end, strict=True))
+        least = SHORTEST * lengths[-1]
+        inside = (lengths > low + least) & (lengths < high - least)
+        before = np.count_nonzero(lengths <= low + least)
+        after = len(lengths) - before - np.count_nonzero(inside)
+        first, last = (lengths[inside][0], lengths[inside][-1]) if inside.any() else (0.5 * (low + high),) * 2
+        starts = low + (first - low) * np.arange(before) / max(before, 1)
+        stops = last + (high - last) * np.arange(1, after + 1) / max(after, 1)
+        return points_at(np.concatenate([starts, lengths[inside], stops]), path, lengths)
 
     def scaled(self, by: float) -> Sliding:
         """Return the same, so many times as large."""
-        begins, ends = (tuple(length * by for length in pair) for pair in (self.begins, self.ends))
-        return Sliding(self.path * by, (begins[0], begins[1]), (ends[0], ends[1]))
+        (low, high), (there, until) = self.start, self.end
+        return Sliding(self.a * by, self.b * by, (low * by, high * by), (there * by, until * by))
 
 
 class Riding(NamedTuple):

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Sliding
-from shapeblend_cli.pens.line import foot_points, length
-from shapeblend_cli.pens.moves import Move
+from shapeblend_cli.pens.line import foot_points, length, part_of
+from shapeblend_cli.pens.moves import Move, alike
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -29,21 +30,35 @@ NEAR = 0.6
 IN_LINE = 0.25
 """Maximum distance of an end of one line from the straight line that ends the other one, in units."""
 
-LEAST_BULGE = 0.25
+LEAST_BULGE = 0.12
 """Minimum distance of a line from the straight line between its ends, as a share of that."""
 
-FARTHEST = 8.0
+EXACT = 0.01
+"""Maximum gap between ends that meet, in units."""
+
+FARTHEST = 12.0
 """Maximum gap between the ends of both lines, in units."""
 
+MOST_GAP = 0.35
+"""Maximum gap in a box, as a share of the length of its line."""
+
+FACING = 0.9
+"""Minimum cosine of the angle at which the ends of such a line face each other."""
+
+OVERLAP = 0.1
+"""Overlap of both halves of such a line, in widths."""
+
+DOORS = "a gap closes while one opens on the other side"
 SLIDES = "a pen line that slides around others"
 
 
 def slid_around(
     a: Sequence[PenLine], b: Sequence[PenLine], *, has_more: bool
 ) -> tuple[list[Move], list[PenLine], list[PenLine]]:
-    """Return how lines that slide around others move, and the other lines of both drawings.
+    """Return how lines move that have others between them and their mirror image, and the other lines of both drawings.
 
-    There is something to slide around if there are more lines, or bodies.
+    Brackets slide around what is between. Boxes with a gap on one side get it on the other side: as a door shuts,
+    another one opens. There is something between only if there are more lines, or bodies.
     """
     rest, others = list(a), list(b)
     moves: list[Move] = []
@@ -51,49 +66,97 @@ def slid_around(
         for other in others:
             if not (has_more or (len(rest) > 1 and len(others) > 1)):
                 break
-            move = _slide(line, other)
-            if move is not None:
-                moves.append(move)
+            found = _around(line, other)
+            if found:
+                moves += found
                 rest = [each for each in rest if each is not line]
                 others = [each for each in others if each is not other]
                 break
     return moves, rest, others
 
 
-def _slide(line: PenLine, other: PenLine) -> Move | None:
-    """Return how a line slides to its mirror image; None if it is none, or if their ends do not meet.
-
-    It slides above what is between.
-    """
+def _around(line: PenLine, other: PenLine) -> list[Move]:
+    """Return how a line moves to its mirror image; none if it is none, or goes there as others do."""
     if line.closed or other.closed or min(len(line.points), len(other.points)) < 3:
-        return None
+        return []
     lengths = line.length, other.length
     if min(lengths) < max(LEAST_LENGTH, SAME_LENGTH * max(lengths)):
+        return []
+    p = line.points if line.points[-1].imag <= line.points[0].imag else line.points[::-1]
+    for q in (other.points, other.points[::-1]):
+        path = _path(p, q)  # above what is between
+        if path is not None:
+            return [Move(line, other, Pen((path,)), SLIDES)]
+        halves = _halves(p, q, OVERLAP * line.width)
+        if halves is not None:
+            return [Move(line, other, Pen((half,)), DOORS) for half in halves]
+    return []
+
+
+def _halves(p: ComplexArray, q: ComplexArray, overlap: float) -> list[Sliding] | None:
+    """Return how both halves of a box with a gap become those of its mirror image; None if it has no gap.
+
+    They slide along the box, while that goes where its mirror image is.
+    """
+    gap, bulge = p[0] - p[-1], _bulge(p)
+    if bulge is None or abs(gap) > MOST_GAP * length(p):
         return None
-    ways = [
-        _path(p, q)
-        for p in (line.points, line.points[::-1])
-        for q in (other.points, other.points[::-1])
-        if p[-1].imag <= p[0].imag
-    ]
-    return next((Move(line, other, Pen((path,)), SLIDES) for path in ways if path is not None), None)
+    for end, next_to_it, there in ((p[-1], p[-2], gap), (p[0], p[1], -gap)):
+        if ((end - next_to_it) * there.conjugate()).real < FACING * abs(end - next_to_it) * abs(gap):
+            return None
+    mirrored = _mirrored(p, (_centre(p) + _centre(q)) / 2.0, bulge)
+    if _distance(mirrored, q) > NEAR:
+        return None
+    if abs(mirrored[0] - q[0]) > abs(mirrored[0] - q[-1]):
+        q = q[::-1]
+    found = []
+    for own, other in ((p, q), (p[::-1], q[::-1])):
+        a, b = (_half(each, overlap) for each in (own, other))
+        open_a, open_b = (0.5 * abs(each[0] - each[-1]) + overlap for each in (own, other))
+        a, b = alike(a, b[::-1])
+        found.append(Sliding(a, b, (open_a, length(a)), (0.0, length(b) - open_b)))
+    return found
 
 
-def _path(p: ComplexArray, q: ComplexArray) -> Sliding | None:
-    """Return how a line slides over its last point to the first point of its mirror image; None if it cannot."""
+def _half(p: ComplexArray, overlap: float) -> ComplexArray:
+    """Return the first half of a box with a gap, from the middle of that, both ends a little longer."""
+    middle = 0.5 * (p[0] + p[-1])
+    beyond = middle - overlap * (p[0] - middle) / abs(p[0] - middle)
+    return np.append(beyond, part_of(p, False, 0.0, 0.5 * length(p) + overlap))
+
+
+def _bulge(p: ComplexArray) -> complex | None:
+    """Return the direction in which a line bulges out from the straight line between its ends; None if it does not."""
     chord = p[0] - p[-1]
-    if abs(chord) < 1e-6:
+    if abs(chord) < EXACT:
         return None
     up = chord / abs(chord)
     depths = ((p - p[-1]) * up.conjugate()).imag
     deepest = float(depths[np.abs(depths).argmax()])
-    if abs(deepest) < LEAST_BULGE * abs(chord):
+    return None if abs(deepest) < LEAST_BULGE * abs(chord) else complex(1j * up * np.sign(deepest))
+
+
+def _mirrored(p: ComplexArray, middle: complex, across: complex) -> ComplexArray:
+    """Return a line as its mirror image: what lies in a direction from a point, and opposite, change places."""
+    return middle - across * ((p - middle) * across.conjugate()).conjugate()
+
+
+def _distance(p: ComplexArray, q: ComplexArray) -> float:
+    """Return the largest distance of vertices of one line from another one."""
+    return max(float(foot_points(some, onto)[0].max()) for some, onto in ((p, q), (q, p)))
+
+
+def _centre(p: ComplexArray) -> complex:
+    return Box.around(p).centre
+
+
+def _path(p: ComplexArray, q: ComplexArray) -> Sliding | None:
+    """Return how a line slides over its last point to the first point of its mirror image; None if it cannot."""
+    away = _bulge(p)
+    if away is None:
         return None
-    away = 1j * up * np.sign(deepest)  # from the ends towards the bulge
-    middle = (p[-1] + q[0]) / 2.0
-    mirrored = middle - (away * ((p - middle) * away.conjugate()).conjugate())
-    near = [float(foot_points(some, onto)[0].max()) for some, onto in ((mirrored, q), (q, mirrored))]
-    if max(near) > NEAR or abs(mirrored[-1] - q[0]) > NEAR:
+    mirrored = _mirrored(p, (p[-1] + q[0]) / 2.0, away)
+    if _distance(mirrored, q) > NEAR or abs(mirrored[-1] - q[0]) > NEAR:
         return None
     gap = float(((p[-1] - q[0]) * away.conjugate()).real)
     last, first = p[-1] - p[-2], q[1] - q[0]
@@ -102,11 +165,11 @@ def _path(p: ComplexArray, q: ComplexArray) -> Sliding | None:
             return None
     if gap > FARTHEST or gap < -min(abs(last), abs(first)) or abs((p[-1] - q[0]) - gap * away) > IN_LINE:
         return None
-    if gap < 0.0:  # they overlap, and each goes as far as half way
+    if gap < -EXACT:  # they overlap, and each goes as far as half way
         half = (p[-1] + q[0]) / 2.0
         path = np.concatenate([p[:-1], [half], q[1:]])
         own, partner = length(p) + 0.5 * gap, length(q) + 0.5 * gap
-        return Sliding(path, (0.0, own - 0.5 * gap), (own + 0.5 * gap, own + partner))
-    path = np.concatenate([p, q])
+        return Sliding(path, path, (0.0, own - 0.5 * gap), (own + 0.5 * gap, own + partner))
+    path = np.concatenate([p, q[1:] if gap < EXACT else q])
     whole = float(cumulative_lengths(path)[-1])
-    return Sliding(path, (0.0, length(p)), (whole - length(q), whole))
+    return Sliding(path, path, (0.0, length(p)), (whole - length(q), whole))
