@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.blending.copies import CROWD
+from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.interpolate.paths import segments_at
 from shapeblend_cli.model import Box
@@ -39,6 +40,12 @@ IN_PLACE = 0.03
 SAME_SIZE = 0.8
 """Minimum ratio of the sides of a contour and its partner for it to be turned."""
 
+TIMES = 0.25, 0.5, 0.75
+"""Times at which it is looked up what a part that turns runs into."""
+
+PLACES = np.arange(6) / 6.0
+"""Places on each of its segments that are looked up."""
+
 PARTS_TURN = "parts are turned, and little else"
 
 
@@ -59,7 +66,8 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
             is_affordable=affordable > 0 and len(shape.contours) <= CROWD,
         )
         choice = choose(shape, situation)
-        turn = partial(_with_parts_turned, paired, shapes[k])
+        others = [contour for other in shapes if other is not shapes[k] for contour in other.contours]
+        turn = partial(_with_parts_turned, paired, shapes[k], others)
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
         if choice.motion == JUDGED:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
@@ -85,10 +93,13 @@ def _judged(
     return straight if looks_right(straight) else best_motion(straight, rotate(), view)
 
 
-def _with_parts_turned(paired: PairedDrawings, matched: ShapeBlend) -> ShapeBlend | None:
+def _with_parts_turned(
+    paired: PairedDrawings, matched: ShapeBlend, others: Sequence[ContourBlend]
+) -> ShapeBlend | None:
     """Return a shape some parts of which are turned far, and turn as they are; None if there are none.
 
-    What stays in place is no part: an arrow that is cut out of a plate turns in it.
+    What stays in place is no part: an arrow that is cut out of a plate turns in it. Parts that would run into `others`,
+    contours of other shapes, do not turn.
     """
     contours = list(matched.contours)
     moving = [k for k, contour in enumerate(contours) if contour.is_matched and not _stays(contour)]
@@ -114,7 +125,8 @@ def _with_parts_turned(paired: PairedDrawings, matched: ShapeBlend) -> ShapeBlen
         return None
     shape = paired.curved(matched._replace(contours=tuple(contours)))
     shape = shape._replace(motion=Rigid(tuple(alignments)), reason=PARTS_TURN)
-    return shape if _keeps_within(shape, turned) else None
+    beside = [contour for k, contour in enumerate(matched.contours) if k not in turned]
+    return shape if _keeps_clear(shape, turned, [*beside, *others]) else None
 
 
 def _stays(contour: ContourBlend) -> bool:
@@ -137,22 +149,25 @@ def _may_turn(contour: ContourBlend) -> bool:
     return all(min(pair) > SAME_SIZE * max(pair) for pair in zip(*sides, strict=True))
 
 
-def _keeps_within(shape: ShapeBlend, turned: set[int]) -> bool:
-    """Return whether parts that turn stay within the outlines that they lie in."""
-    others = [contour for k, contour in enumerate(shape.contours) if k not in turned]
+def _keeps_clear(shape: ShapeBlend, turned: set[int], others: Sequence[ContourBlend]) -> bool:
+    """Return whether parts that turn stay within the outlines that they lie in, and off other ones."""
+    sides = [
+        {
+            other.polygon_a if k == 0 else other.polygon_b
+            for other in others
+            if (other.a, other.b)[k] is not None and (other.contour_a, other.contour_b)[k].closed
+        }
+        for k in (0, 1)
+    ]
     for k in turned:
-        first = shape.contours[k].start.segments[:1, 0]
-        around = [
-            contour.polygon_a.vertices
-            for contour in others
-            if winding_numbers(first, contour.polygon_a.vertices)[0]
-        ]
-        if not around:
-            continue
-        for t in (0.25, 0.5, 0.75):
-            points = segments_at(shape, t)[k][:, 0]
-            if not all(winding_numbers(points, vertices).all() for vertices in around):
-                return False
+        places = [cubics.evaluate(segments_at(shape, t)[k][:, None], PLACES).ravel() for t in TIMES]
+        between = np.concatenate(places)
+        for here, polygons in enumerate(sides):
+            own = shape.contours[k].start if here == 0 else shape.contours[k].end
+            for polygon in polygons:
+                is_in = winding_numbers(own.segments[:1, 0], polygon.vertices)[0] != 0
+                if ((winding_numbers(between, polygon.vertices) != 0) != is_in).any():
+                    return False
     return True
 
 

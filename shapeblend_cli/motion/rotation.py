@@ -45,8 +45,20 @@ ABOUT_ALIKE = 0.988
 FAR_MORE = 3.0
 """Minimum ratio of what outlines lack to be the same if turned less to what they lack if turned so."""
 
-UNLIKE = 0.98
+UNLIKE = 0.97
 """Maximum correlation of outlines that are turned less: discs are as good in any way."""
+
+EIGHTH, OFF = np.pi / 4.0, np.radians(8.0)
+"""Angles of which such a turn is a multiple, and how far from that it may be, in radians."""
+
+CORNER = np.radians(50.0)
+"""Minimum turn inwards at a corner, in radians."""
+
+BENT = np.radians(60.0)
+"""Minimum turn inwards of an outline that is bent, in radians: if it has no corner, as a mouth, it bends back instead."""
+
+AT_CORNER = 9
+"""Number of the points, of `SAMPLES`, along a corner."""
 
 LEAST_ROTATION = np.radians(1.0)
 """Minimum angle of a rotation, in radians."""
@@ -101,8 +113,21 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     if correlation[best] < ABOUT_ALIKE or abs(angles[best]) < MUCH:
         return None
     less = correlation[np.abs(angles) < MUCH].max(initial=0.0)
+    angle = float(angles[best])
     is_turned = less < UNLIKE and 1.0 - less > FAR_MORE * (1.0 - correlation[best])
-    return float(angles[best]) if is_turned else None
+    is_regular = abs(angle - EIGHTH * round(angle / EIGHTH)) < OFF
+    return angle if is_turned and is_regular and not _is_bent(p) else None
+
+
+def _is_bent(p: ComplexArray) -> bool:
+    """Return whether a closed outline is bent inwards without a corner there."""
+    edges = np.diff(p, append=p[:1])
+    turns = np.angle(np.roll(edges, -1) / np.where(edges == 0.0, 1.0, edges))
+    turns = turns * np.sign(turns.sum())
+    round_twice = np.concatenate([turns, turns[: AT_CORNER - 1]])
+    corners = np.convolve(round_twice, np.ones(AT_CORNER), "valid")
+    inwards = -np.convolve(np.concatenate([turns, turns]), np.ones(AT_CORNER), "same")[:SAMPLES] / AT_CORNER
+    return bool(inwards.clip(0.0).sum() > BENT and corners.min() > -CORNER)
 
 
 def _common(p: ComplexArray, q: ComplexArray, closed: bool) -> ComplexArray:

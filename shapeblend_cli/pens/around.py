@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Sliding
-from shapeblend_cli.pens.line import foot_points, length, part_of
+from shapeblend_cli.pens.line import evenly, foot_points, length, part_of
 from shapeblend_cli.pens.moves import Move, alike
 
 if TYPE_CHECKING:
@@ -26,6 +26,9 @@ SAME_LENGTH = 0.9
 
 NEAR = 0.6
 """Maximum distance of a line from the mirror image of its partner, in units."""
+
+STEP = 0.5
+"""Distance of the places of a line whose distances from another one are looked up, in units."""
 
 IN_LINE = 0.25
 """Maximum distance of an end of one line from the straight line that ends the other one, in units."""
@@ -63,10 +66,10 @@ def slid_around(
     rest, others = list(a), list(b)
     moves: list[Move] = []
     for line in a:
-        for other in others:
+        for other in others if _may_go(line, b) else ():
             if not (has_more or (len(rest) > 1 and len(others) > 1)):
                 break
-            found = _around(line, other)
+            found = _around(line, other) if _may_go(other, a) else []
             if found:
                 moves += found
                 rest = [each for each in rest if each is not line]
@@ -75,12 +78,17 @@ def slid_around(
     return moves, rest, others
 
 
+def _may_go(line: PenLine, others: Sequence[PenLine]) -> bool:
+    """Return whether a line is long, open and bent, and not where another one is in the other drawing."""
+    if line.closed or len(line.points) < 3 or line.length < LEAST_LENGTH:
+        return False
+    return all(_farthest(line.points, other.drawn) > NEAR for other in others)
+
+
 def _around(line: PenLine, other: PenLine) -> list[Move]:
     """Return how a line moves to its mirror image; none if it is none, or goes there as others do."""
-    if line.closed or other.closed or min(len(line.points), len(other.points)) < 3:
-        return []
     lengths = line.length, other.length
-    if min(lengths) < max(LEAST_LENGTH, SAME_LENGTH * max(lengths)):
+    if min(lengths) < SAME_LENGTH * max(lengths):
         return []
     p = line.points if line.points[-1].imag <= line.points[0].imag else line.points[::-1]
     for q in (other.points, other.points[::-1]):
@@ -142,8 +150,13 @@ def _mirrored(p: ComplexArray, middle: complex, across: complex) -> ComplexArray
 
 
 def _distance(p: ComplexArray, q: ComplexArray) -> float:
-    """Return the largest distance of vertices of one line from another one."""
-    return max(float(foot_points(some, onto)[0].max()) for some, onto in ((p, q), (q, p)))
+    """Return the largest distance of two lines from each other."""
+    return max(_farthest(some, onto) for some, onto in ((p, q), (q, p)))
+
+
+def _farthest(p: ComplexArray, q: ComplexArray) -> float:
+    """Return the largest distance of a line from another one."""
+    return float(foot_points(evenly(p, STEP), q)[0].max())
 
 
 def _centre(p: ComplexArray) -> complex:

@@ -151,8 +151,11 @@ def _run_into(moves: Sequence[Move], beside: Sequence[PenLine], bodies: Sequence
     """Return whether lines that turn touch others more than at their ends, or lie in bodies."""
     for move in moves:
         ends, middle = [np.concatenate([evenly(move.motion.points(t), 0.5) for t in some]) for some in TIMES]
-        if any(winding_numbers(np.append(ends, middle), body).any() for body in bodies):
-            return True
+        width = (move.a or move.b).width
+        for body in bodies:
+            near = foot_points(middle, np.append(body, body[0]))[0].min()
+            if near < TOUCHING * width or winding_numbers(np.append(ends, middle), body).any():
+                return True
         for line in beside:
             apart = [float(foot_points(points, line.drawn)[0].min()) for points in (ends, middle)]
             if apart[1] < min(apart[0], TOUCHING * line.width):
