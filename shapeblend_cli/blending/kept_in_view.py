@@ -75,9 +75,12 @@ def _turns(number: int, motion: Motion | None, count: int) -> Iterator[tuple[Has
     elif isinstance(motion, Rigid):
         for way in dict.fromkeys(motion.alignments):
             if abs(way.rotation) > LEAST_TURN:
-                yield way, _Turn(number, tuple(k for k, own in enumerate(motion.alignments) if own == way), way)
-    elif isinstance(motion, pen.Pen) and isinstance(way := motion.pieces[0], pen.Whole) and way.angle:
-        yield (way.centre, way.target, way.angle), _Turn(number, (0,), way)
+                members = tuple(k for k, own in enumerate(motion.alignments) if own == way)
+                yield way, _Turn(number, members, way)
+    elif isinstance(motion, pen.Pen):
+        whole = motion.pieces[0]
+        if isinstance(whole, pen.Whole) and whole.angle:
+            yield (whole.centre, whole.target, whole.angle), _Turn(number, (0,), whole)
 
 
 def _with_way(motion: Motion | None, old: Turning, new: Turning) -> Motion:
@@ -85,7 +88,11 @@ def _with_way(motion: Motion | None, old: Turning, new: Turning) -> Motion:
     if isinstance(motion, Rigid):
         ways = (new if own == old else own for own in motion.alignments)
         return Rigid(tuple(cast("Iterator[Alignment]", ways)))
-    return motion._replace(pieces=(new,)) if isinstance(motion, pen.Pen) else cast("Whole", new)
+    return (
+        motion._replace(pieces=(cast("pen.Whole", new),))
+        if isinstance(motion, pen.Pen)
+        else cast("Whole", new)
+    )
 
 
 def _reach(shape: ShapeBlend) -> float:

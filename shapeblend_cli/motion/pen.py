@@ -226,8 +226,8 @@ class Sliding(NamedTuple):
         low, high = ((1.0 - t) * p + t * q for p, q in zip(self.start, self.end, strict=True))
         least = SHORTEST * lengths[-1]
         inside = (lengths > low + least) & (lengths < high - least)
-        before = np.count_nonzero(lengths <= low + least)
-        after = len(lengths) - before - np.count_nonzero(inside)
+        before = int(np.count_nonzero(lengths <= low + least))
+        after = len(lengths) - before - int(np.count_nonzero(inside))
         first, last = (lengths[inside][0], lengths[inside][-1]) if inside.any() else (0.5 * (low + high),) * 2
         starts = low + (first - low) * np.arange(before) / max(before, 1)
         stops = last + (high - last) * np.arange(1, after + 1) / max(after, 1)

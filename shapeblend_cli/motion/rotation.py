@@ -55,7 +55,7 @@ CORNER = np.radians(50.0)
 """Minimum turn inwards at a corner, in radians."""
 
 BENT = np.radians(60.0)
-"""Minimum turn inwards of an outline that is bent, in radians: if it has no corner, as a mouth, it bends back instead."""
+"""Minimum turn inwards of an outline that is bent, in radians; one without a corner, as a mouth, bends back."""
 
 AT_CORNER = 9
 """Number of the points, of `SAMPLES`, along a corner."""

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import Contour, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, Contour, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
@@ -237,9 +237,7 @@ def line_moves(
     may_turn = settings.motion != "linear" and not (settings.mix or settings.stiff)
     shorter = min(sum(line.length for line in lines) for lines in (a, b))
     if may_turn:
-        moves, a, b = turned_among(a, b, [body.polygon.vertices * scale for body in bodies])
-        slides, a, b = slid_around(a, b, has_more=bool(moves or bodies))
-        moves += slides
+        moves, a, b = _as_they_are(a, b, [body.polygon.vertices * scale for body in bodies])
     kept = sum(move.a.length for move in moves if move.a)
     runs = common_runs(a, b)
     together = _travelling_together(a, b, runs)
@@ -272,6 +270,15 @@ def line_moves(
     ]
     moves = [_turning(move, angle, centres) if angle else move for move in moves]
     return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
+
+
+def _as_they_are(
+    a: Sequence[PenLine], b: Sequence[PenLine], bodies: Sequence[ComplexArray]
+) -> tuple[list[Move], Sequence[PenLine], Sequence[PenLine]]:
+    """Return how lines move that turn, or slide around others, without being bent; and the other lines."""
+    turned, a, b = turned_among(a, b, bodies)
+    slides, a, b = slid_around(a, b, has_more=bool(turned or bodies))
+    return turned + slides, a, b
 
 
 def _travelling_together(a: Sequence[PenLine], b: Sequence[PenLine], runs: Sequence[Run]) -> list[Partners]:

@@ -151,10 +151,10 @@ def _run_into(moves: Sequence[Move], beside: Sequence[PenLine], bodies: Sequence
     """Return whether lines that turn touch others more than at their ends, or lie in bodies."""
     for move in moves:
         ends, middle = [np.concatenate([evenly(move.motion.points(t), 0.5) for t in some]) for some in TIMES]
-        width = (move.a or move.b).width
+        reach = TOUCHING * max(line.width for line in (move.a, move.b) if line is not None)
         for body in bodies:
             near = foot_points(middle, np.append(body, body[0]))[0].min()
-            if near < TOUCHING * width or winding_numbers(np.append(ends, middle), body).any():
+            if near < reach or winding_numbers(np.append(ends, middle), body).any():
                 return True
         for line in beside:
             apart = [float(foot_points(points, line.drawn)[0].min()) for points in (ends, middle)]
