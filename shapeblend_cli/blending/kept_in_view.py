@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 TIMES = tuple(k / 8 for k in range(1, 8))
 """Times at which it is looked up whether what turns is in the picture."""
 
+HALVES = tuple(math.sin(math.pi * t) for t in TIMES)
+"""How much what gets smaller and goes aside has done so at these."""
+
 UNSEEN = 0.005
 """Maximum overhang that is not seen, as a share of the larger side of the view."""
 
@@ -116,27 +119,47 @@ def _dip_and_aside(
     """Return by which share a part is smaller half way, and how far aside, to be in a room at all times.
 
     What is not all there is gets smaller for one half, and goes aside for the other half: it would run into the rest.
+    What would have to go to both sides, one after the other, gets smaller only.
     """
-    halves = [math.sin(math.pi * t) for t in TIMES]
+    dip = _dip_to_fit(boxes, room) if is_all else 0.5 * _dip_in_place(boxes, centres, room, (0, 1))
+    needs = _needs(boxes, centres, room, dip)
+    torn = [k for k in (0, 1) if min(needs[k]) < 0.0 < max(needs[k])]
+    if torn:
+        dip = max(dip, _dip_in_place(boxes, centres, room, torn))
+        needs = _needs(boxes, centres, room, dip)
+    return dip, complex(*(0.0 if k in torn else max(needs[k], key=abs) for k in (0, 1)))
+
+
+def _dip_to_fit(boxes: Sequence[Box], room: Box) -> float:
+    """Return by which share a part is smaller half way to have the size of a room at most."""
+    shares = [
+        min(room.width / max(box.width, 1e-9), room.height / max(box.height, 1e-9), 1.0) for box in boxes
+    ]
+    return max((1.0 - share) / half for share, half in zip(shares, HALVES, strict=True))
+
+
+def _dip_in_place(boxes: Sequence[Box], centres: Sequence[complex], room: Box, axes: Sequence[int]) -> float:
+    """Return by which share a part is smaller half way to be in a room where it is, along some axes."""
     dip = 0.0
-    for box, centre, half in zip(boxes, centres, halves, strict=True):
-        if is_all:
-            share = min(room.width / max(box.width, 1e-9), room.height / max(box.height, 1e-9), 1.0)
-            dip = max(dip, (1.0 - share) / half)
-        else:
-            share = min(
-                (edge - about) / (side - about)
-                for edge, side, about in zip(room.bounds, box.bounds, 2 * _parts(centre), strict=True)
-                if abs(side - about) > 1e-9
-            )
-            dip = max(dip, 0.5 * (1.0 - min(share, 1.0)) / half)
-    aside = [0.0, 0.0]
-    for box, centre, half in zip(boxes, centres, halves, strict=True):
+    for box, centre, half in zip(boxes, centres, HALVES, strict=True):
+        for k in (n + axis for axis in axes for n in (0, 2)):
+            away = box.bounds[k] - _parts(centre)[k % 2]
+            if abs(away) > 1e-9:
+                dip = max(dip, (1.0 - (room.bounds[k] - _parts(centre)[k % 2]) / away) / half)
+    return dip
+
+
+def _needs(
+    boxes: Sequence[Box], centres: Sequence[complex], room: Box, dip: float
+) -> tuple[list[float], list[float]]:
+    """Return how far aside a part would have to go half way to be in a room at each time, along both axes."""
+    needs: tuple[list[float], list[float]] = ([], [])
+    for box, centre, half in zip(boxes, centres, HALVES, strict=True):
         for k, about in enumerate(_parts(centre)):
             low, high = ((box.bounds[k + n] - about) * (1.0 - dip * half) + about for n in (0, 2))
-            need = (max(room.bounds[k] - low, 0.0) - max(high - room.bounds[k + 2], 0.0)) / half
-            aside[k] = max(aside[k], need, key=abs)
-    return dip, complex(*aside)
+            need = max(room.bounds[k] - low, 0.0) - max(high - room.bounds[k + 2], 0.0)
+            needs[k].append(need / half if abs(need) > 1e-9 else 0.0)
+    return needs
 
 
 def _parts(point: complex) -> tuple[float, float]:

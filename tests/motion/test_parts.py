@@ -37,6 +37,24 @@ def test_an_arrow_turns_above_a_tray_in_the_same_path():
     np.testing.assert_allclose(tray, at_end[1], atol=1e-9)
 
 
+def test_an_arrow_cut_out_of_a_plate_turns_in_it():
+    plate = "M1 1v22h22V1z"
+    down = "M12 14l5-5h-4V3h-2v6h-4z"
+    half_way = min(outlines([plate + UP], [plate + down]), key=lambda z: np.ptp(z.real))
+    assert np.ptp(half_way.real) == pytest.approx(11.0, abs=0.1)
+    assert np.ptp(half_way.imag) == pytest.approx(10.0, abs=0.1)
+
+
+def test_a_mouth_bends_back():
+    mouth = "M6 {0}C8 {1} 16 {1} 18 {0}C17 {2} 7 {2} 6 {0}z"
+    plate = "M1 1v22h22V1z"
+    half_way = min(
+        outlines([plate + mouth.format(12, 17, 20)], [plate + mouth.format(18, 13, 10)]),
+        key=lambda z: np.ptp(z.imag),
+    )
+    assert np.ptp(half_way.real) > 2.0 * np.ptp(half_way.imag)
+
+
 def test_parts_beside_each_other_turn_as_mirror_images():
     left, right = sorted(outlines(["".join(CORNERS)], ["".join(CORNERS_TURNED)]), key=lambda z: z.real.mean())
     image = 24 - right.conj()

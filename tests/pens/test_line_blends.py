@@ -11,8 +11,9 @@ from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.chains import keyframed_shapes
 from shapeblend_cli.interpolate.paths import paths_at
-from shapeblend_cli.model import control_box
+from shapeblend_cli.model import Box, control_box
 from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.pens.around import DOORS, SLIDES
 from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS
 from shapeblend_cli.pens.splits import COPY
@@ -140,7 +141,51 @@ def test_arrows_that_point_the_other_way_turn_each_about_itself():
             for path in paths_at(shape, t)
         ]
         assert sorted(spans) == pytest.approx([50**0.5, 50**0.5, 72**0.5, 72**0.5], abs=0.05)
-    assert SIGN_TURNED not in reasons(blend(strokes(out), strokes(f"{into} M4 4H8")))
+    assert reasons(blend(strokes(out), strokes(f"{into} M4 4H8"))).count(SIGN_TURNED) == 4
+
+
+def test_an_arrow_among_other_lines_turns_unless_it_would_run_into_one():
+    up, down = "M12 12V4 M9 7L12 4L15 7", "M12 4V12 M9 9L12 12L15 9"
+    for tray, turned in (("M4 14V20H20V14", 2), ("M10 2V14", 0)):
+        found = reasons(blend(strokes(f"{up} {tray}"), strokes(f"{down} {tray}")))
+        assert found.count(SIGN_TURNED) == turned
+
+
+def test_a_bracket_slides_around_an_arrow():
+    arrow = "M{0} 12H{1} M{2} 8L{1} 12L{2} 16"
+    pair = blend(
+        strokes(f"{arrow.format(3, 15, 11)} M15 3H21V21H15"),
+        strokes(f"{arrow.format(9, 21, 17)} M9 3H3V21H9"),
+    )
+    (bracket,) = (shape for shape in pair.shapes if shape.reason == SLIDES)
+    for t in TIMES:
+        (path,) = paths_at(bracket, t)
+        points = np.append(path.segments[:, 0], path.segments[-1, 3])
+        assert np.abs(np.diff(points)).sum() == pytest.approx(30.0, abs=0.01)
+        assert np.abs(np.diff(points)).min() > 1e-6, "edges without length have no caps"
+        assert Box(3, 3, 18, 18).contains(Box.around(points), slack=1e-6)
+    (path,) = paths_at(bracket, 0.5)
+    assert control_box([path]).height == pytest.approx(6.0), "it is above the arrow"
+
+
+def test_a_box_with_a_gap_opens_on_the_other_side():
+    arrow = "M{0} 12H{1} M{2} 9L{1} 12L{2} 15"
+    pair = blend(
+        strokes(f"{arrow.format(2, 14, 11)} M8 9V4H20V20H8V15"),
+        strokes(f"{arrow.format(10, 22, 19)} M16 9V4H4V20H16V15"),
+    )
+    assert reasons(pair).count(DOORS) == 2
+    for t, box in ((0.0, Box(8, 4, 12, 16)), (0.5, Box(6, 4, 12, 16)), (1.0, Box(4, 4, 12, 16))):
+        halves = [paths_at(shape, t)[0] for shape in pair.shapes if shape.reason == DOORS]
+        assert control_box(halves).bounds == pytest.approx(box.bounds, abs=0.01)
+
+
+def test_what_turns_stays_in_the_picture():
+    bar = "M3 4V20 M21 12H8 M13 7L8 12L13 17"
+    pair = blend(strokes(bar), strokes("M21 4V20 M3 12H16 M11 7L16 12L11 17"))
+    for t in TIMES:
+        box = Box.union([control_box(paths_at(shape, t)) for shape in pair.shapes])
+        assert Box(0, 0, 24, 24).contains(box.expanded(0.85))
 
 
 def test_a_sign_that_stays_upright_does_not_turn():
