@@ -40,6 +40,9 @@ IN_PLACE = 0.03
 SAME_SIZE = 0.8
 """Minimum ratio of the sides of a contour and its partner for it to be turned."""
 
+MOST_CONTOURS = 32
+"""Maximum number of contours of a shape of which parts are turned."""
+
 TIMES = 0.25, 0.5, 0.75
 """Times at which it is looked up what a part that turns runs into."""
 
@@ -102,16 +105,18 @@ def _with_parts_turned(
     contours of other shapes, do not turn.
     """
     contours = list(matched.contours)
+    if len(contours) > MOST_CONTOURS:
+        return None
     moving = [k for k, contour in enumerate(contours) if contour.is_matched and not _stays(contour)]
-    if not any(_may_turn(contours[k]) for k in moving):
+    angles = {k: _turn_of(paired, contours[k]) for k in moving if _may_turn(contours[k])}
+    if not any(angles.values()):
         return None
     middle = Box.union([contour.polygon_a.box for contour in contours]).centre
     alignments = [_at_rest(contour) for contour in contours]
     turned = set()
     for part in parts_of([contours[k] for k in moving]):
         numbers = [moving[k] for k in part]
-        largest = max((contours[k] for k in numbers), key=lambda contour: contour.scale_a)
-        angle = turn_between(largest.polygon_a, largest.polygon_b) if _may_turn(largest) else None
+        angle = angles.get(max(numbers, key=lambda k: contours[k].scale_a))
         if angle is None:
             continue
         own = paired.match_again(matched._replace(contours=tuple(contours[k] for k in numbers)), angle)
@@ -127,6 +132,12 @@ def _with_parts_turned(
     shape = shape._replace(motion=Rigid(tuple(alignments)), reason=PARTS_TURN)
     beside = [contour for k, contour in enumerate(matched.contours) if k not in turned]
     return shape if _keeps_clear(shape, turned, [*beside, *others]) else None
+
+
+def _turn_of(paired: PairedDrawings, contour: ContourBlend) -> float | None:
+    """Return by which large angle a contour is turned to become about its partner; None if it is not."""
+    polygons = contour.polygon_a, contour.polygon_b
+    return paired.progress.once("turn", polygons, (), partial(turn_between, *polygons))
 
 
 def _stays(contour: ContourBlend) -> bool:

@@ -39,8 +39,11 @@ as wide has this one."""
 MUCH = np.radians(80.0)
 """Minimum angle of a turn that shapes make for its own sake, in radians."""
 
-ABOUT_ALIKE = 0.988
+ABOUT_ALIKE = 0.987
 """Minimum correlation of outlines that are about the same when one of them is turned so."""
+
+FEWER = 2
+"""Step between the starts that are tried for such a turn, in points, and half of that between the points."""
 
 FAR_MORE = 3.0
 """Minimum ratio of what outlines lack to be the same if turned less to what they lack if turned so."""
@@ -107,7 +110,10 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     p, q = (_even(polygon)[0] for polygon in (a, b))
     if _spread_differently(p, q, ABOUT_ALIKE):
         return None
-    common = _common(p, q, closed=True)
+    round_twice = np.concatenate([q, q[:-1]])
+    begun = np.lib.stride_tricks.sliding_window_view(round_twice, SAMPLES)[::FEWER, :: 2 * FEWER]
+    own = p[:: 2 * FEWER]
+    common = np.ascontiguousarray(begun) @ own.conj() / len(own)  # so few that one thread does it
     correlation, angles = np.abs(common) / (_size(p) * _size(q)), np.angle(common)
     best = int(correlation.argmax())
     if correlation[best] < ABOUT_ALIKE or abs(angles[best]) < MUCH:
