@@ -113,7 +113,8 @@ def turn_between(a: Polygon, b: Polygon) -> float | None:
     round_twice = np.concatenate([q, q[:-1]])
     begun = np.lib.stride_tricks.sliding_window_view(round_twice, SAMPLES)[::FEWER, :: 2 * FEWER]
     own = p[:: 2 * FEWER]
-    common = np.ascontiguousarray(begun) @ own.conj() / len(own)  # so few that one thread does it
+    # A product of matrices would start threads, which take longer than this.
+    common = np.einsum("ij,j->i", begun, own.conj()) / len(own)
     correlation, angles = np.abs(common) / (_size(p) * _size(q)), np.angle(common)
     best = int(correlation.argmax())
     if correlation[best] < ABOUT_ALIKE or abs(angles[best]) < MUCH:
