@@ -25,9 +25,14 @@ from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import (
     ASKED,
     CURVED,
+    IN_COLOURS,
+    IN_ONE_COLOUR,
+    LEAST_SENT_BACK,
     PER_RADIAN,
     SENT_BACK,
     UNUSABLE,
+    Doubts,
+    doubts_about,
     is_covered,
     is_swapped,
     least_grade,
@@ -127,9 +132,27 @@ def blend_shapes(
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     outlined = with_outlines(a, b, settings, view)
-    if not all(map(is_plain, outlined)):
-        return with_details_faded(shapes, view.larger_side)
-    return _as_silhouettes(*outlined, settings, view, progress, shapes)
+    is_of_one_colour = all(map(is_plain, outlined))
+    if is_of_one_colour:
+        shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
+    else:
+        shapes = with_details_faded(shapes, view.larger_side)
+    if may_swap and _is_hopeless(shapes, IN_ONE_COLOUR if is_of_one_colour else IN_COLOURS, view):
+        return swapped(a, b, settings, view.centre)
+    return shapes
+
+
+def _is_hopeless(shapes: Shapes, doubts: Doubts, view: Box) -> bool:
+    """Return whether a blend of drawings that are not lines is far worse than that they take each other's place."""
+    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
+
+    if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
+        return False
+    doubt = doubts_about(shapes, doubts)
+    if doubt + WORST < doubts.most:
+        return False
+    grade = grade_of_shapes(shapes, view)
+    return grade >= LEAST_SENT_BACK and grade + doubt >= doubts.most
 
 
 def _as_silhouettes(

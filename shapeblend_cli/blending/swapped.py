@@ -7,7 +7,7 @@ reads as scrap on its way, however evenly it moves.
 from __future__ import annotations
 
 from itertools import groupby
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -61,6 +61,9 @@ CURVED = 0.3
 PER_RADIAN = 0.3
 """Reduction of that grade for each radian by which a line is bent, in grades."""
 
+LEAST_SENT_BACK = 1.2
+"""Minimum grade of a blend of drawings that are not lines for these to be swapped, whatever speaks against it."""
+
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
 
@@ -81,6 +84,22 @@ FLAT = 0.02
 
 POINTS = 4
 """Number of points on each segment between which its directions are compared."""
+
+
+class Doubts(NamedTuple):
+    """What speaks against a blend of drawings that are not lines, in grades that are added to its own."""
+
+    per_fault: float  # of the outline that is judged worst, at most 1
+    per_radian: float  # by which the largest outline is bent
+    if_alone: float  # where all parts of both drawings are without a partner
+    most: float  # grade with all this from which on the drawings are swapped
+
+
+IN_COLOURS = Doubts(per_fault=2.8, per_radian=0.46, if_alone=1.7, most=4.0)
+"""Doubts about a blend of drawings of several colours."""
+
+IN_ONE_COLOUR = Doubts(per_fault=5.0, per_radian=1.5, if_alone=3.5, most=5.5)
+"""Doubts about a blend of two drawings of one colour, whose outlines are all that one sees."""
 
 TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
@@ -160,6 +179,29 @@ def most_bent(shapes: Shapes) -> float:
     return min(max((_bending(contour, 0.0) for contour in lines), default=0.0), WHOLLY)
 
 
+def doubts_about(shapes: Shapes, doubts: Doubts) -> float:
+    """Return what speaks against a blend of drawings that are not lines, beside how it looks, in grades.
+
+    An outline that folds or strains, a main outline that is bent all along, and parts that come and go.
+    """
+    contours = [contour for shape in shapes for contour in shape.contours]
+    fault = max((shape.taken.wrong for shape in shapes if shape.taken is not None), default=0.0)
+    areas = np.array([_areas(contour) for contour in contours])
+    is_matched = np.array([contour.is_matched for contour in contours])
+    share = float((areas[~is_matched].sum(axis=0) / np.maximum(areas.sum(axis=0), 1e-9)).mean())
+    bent = WHOLLY
+    if is_matched.any():
+        largest = contours[int(np.argmax(np.where(is_matched, areas.sum(axis=1), -1.0)))]
+        bent = min(_bending(largest, 0.0), WHOLLY)
+    return doubts.per_fault * min(fault, 1.0) + doubts.per_radian * bent + doubts.if_alone * share
+
+
+def _areas(contour: ContourBlend) -> tuple[float, float]:
+    """Return the areas that a contour encloses in A and in B."""
+    first, last = (abs(cubics.signed_area(path.segments)) for path in (contour.start, contour.end))
+    return first, last
+
+
 def _lines_of(shapes: Shapes) -> Iterator[tuple[ShapeBlend, ContourBlend]]:
     """Yield the lines that become other lines, with their shapes, but for those that turn as they are."""
     for shape in shapes:
@@ -170,8 +212,7 @@ def _lines_of(shapes: Shapes) -> Iterator[tuple[ShapeBlend, ContourBlend]]:
 def _are_rings(contour: ContourBlend) -> tuple[bool, bool]:
     """Return whether a contour is closed, and not pressed flat, in A and in B."""
     sizes = [Box.around(path.segments[:, 0]).larger_side for path in (contour.start, contour.end)]
-    areas = [abs(cubics.signed_area(path.segments)) for path in (contour.start, contour.end)]
-    wide = [area > FLAT * size**2 for area, size in zip(areas, sizes, strict=True)]
+    wide = [area > FLAT * size**2 for area, size in zip(_areas(contour), sizes, strict=True)]
     return contour.contour_a.closed and wide[0], contour.contour_b.closed and wide[1]
 
 

@@ -7,7 +7,16 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
-from shapeblend_cli.blending.swapped import ASKED, SHARE, SWAPPED, UNUSABLE, is_swapped
+from shapeblend_cli.blending.swapped import (
+    ASKED,
+    IN_COLOURS,
+    SHARE,
+    SWAPPED,
+    UNUSABLE,
+    Doubts,
+    doubts_about,
+    is_swapped,
+)
 from shapeblend_cli.cli import run
 from shapeblend_cli.interpolate.paths import paths_at
 
@@ -121,6 +130,35 @@ def test_solid_drawings_with_much_detail_make_room_for_a_single_stroke(tmp_path)
     )
     (pair,) = sb.blend(tmp_path / "disc.svg", check).pairs
     assert not is_swapped(pair.shapes), "a plain disc may bend to a stroke"
+
+
+DRAWINGS = Path("docs/moving/drawings")
+
+
+@pytest.mark.parametrize(("a", "b"), [("envelope", "snail"), ("pause", "tulip")])
+def test_drawings_of_several_colours_that_would_be_shreds_make_room(a, b):
+    files = DRAWINGS / f"{a}.svg", DRAWINGS / f"{b}.svg"
+    (pair,) = sb.blend(*files).pairs
+    assert is_swapped(pair.shapes)
+    (other,) = sb.blend(*files, swap="never").pairs
+    assert doubts_about(other.shapes, IN_COLOURS) + grade_of(other).number >= IN_COLOURS.most
+
+
+@pytest.mark.parametrize(("a", "b"), [("cat-face", "dog-face"), ("wolf", "fox"), ("egg", "hatching-chick")])
+def test_drawings_whose_parts_have_partners_blend(a, b):
+    (pair,) = sb.blend(DRAWINGS / f"{a}.svg", DRAWINGS / f"{b}.svg").pairs
+    assert not is_swapped(pair.shapes)
+
+
+def test_doubts_add_up_from_faults_bending_and_parts_alone():
+    (pair,) = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="never").pairs
+    none = Doubts(0.0, 0.0, 0.0, most=1.0)
+    assert doubts_about(pair.shapes, none) == 0.0
+    each = [doubts_about(pair.shapes, none._replace(**{name: 1.0})) for name in none._fields[:3]]
+    assert all(0.0 <= doubt <= 1.5 for doubt in each)
+    assert doubts_about(pair.shapes, IN_COLOURS) == pytest.approx(np.dot(each, IN_COLOURS[:3]))
+    alone = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="always").pairs[0].shapes
+    assert doubts_about(alone, none._replace(if_alone=1.0)) == pytest.approx(1.0)
 
 
 def test_what_is_named_becomes_what_it_is_to_become():
