@@ -144,10 +144,10 @@ def blend_shapes(
 
 def _is_hopeless(shapes: Shapes, doubts: Doubts, view: Box) -> bool:
     """Return whether a blend of drawings that are not lines is far worse than that they take each other's place."""
-    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
-
     if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
         return False
+    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
+
     doubt = doubts_about(shapes, doubts)
     if doubt + WORST < doubts.most:
         return False

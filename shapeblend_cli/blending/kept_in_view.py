@@ -8,34 +8,32 @@ from typing import TYPE_CHECKING, NamedTuple, cast
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion import pen
-from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.rigid import Rigid, Whole
 
 if TYPE_CHECKING:
     from collections.abc import Hashable, Iterator, Sequence
 
     from shapeblend_cli.model import Motion, ShapeBlend
+    from shapeblend_cli.motion import pen
+    from shapeblend_cli.motion.alignment import Alignment
 
     Shapes = tuple[ShapeBlend, ...]
+    Turning = Alignment | Whole | pen.Whole
 
 TIMES = tuple(k / 8 for k in range(1, 8))
 """Times at which it is looked up whether what turns is in the picture."""
 
 HALVES = tuple(math.sin(math.pi * t) for t in TIMES)
-"""How much what gets smaller and goes aside has done so at these."""
+"""Shares of the most by which something is smaller, and aside, at these times."""
 
-UNSEEN = 0.005
+UNSEEN = 0.01
 """Maximum overhang that is not seen, as a share of the larger side of the view."""
 
 LEAST_TURN = math.radians(20.0)
 """Minimum turn of what may leave the picture, in radians."""
 
-
 MOST_DIP = 0.3
 """Maximum share by which something gets smaller: in a narrow view more would be needed, and it has to grow."""
-
-Turning = Alignment | Whole | pen.Whole
 
 
 class _Turn(NamedTuple):
@@ -65,6 +63,7 @@ def kept_in_view(shapes: Shapes, view: Box) -> Shapes:
         dip, aside = _dip_and_aside(inner, centres, room.expanded(-reach), is_all=len(groups) == 1)
         if dip > MOST_DIP:
             continue
+        dip = 0.0 if dip < UNSEEN else dip
         for turn in turns:
             motion = _with_way(found[turn.shape].motion, turn.way, turn.way._replace(dip=dip, aside=aside))
             found[turn.shape] = found[turn.shape]._replace(motion=motion)
@@ -80,8 +79,10 @@ def _turns(number: int, motion: Motion | None, count: int) -> Iterator[tuple[Has
             if abs(way.rotation) > LEAST_TURN:
                 members = tuple(k for k, own in enumerate(motion.alignments) if own == way)
                 yield way, _Turn(number, members, way)
-    elif isinstance(motion, pen.Pen):
-        whole = motion.pieces[0]
+    elif motion is not None and motion.name == "pen":
+        from shapeblend_cli.motion import pen  # most drawings have no lines
+
+        whole = motion.pieces[0] if isinstance(motion, pen.Pen) else None
         if isinstance(whole, pen.Whole) and whole.angle:
             yield (whole.centre, whole.target, whole.angle), _Turn(number, (0,), whole)
 
@@ -91,11 +92,9 @@ def _with_way(motion: Motion | None, old: Turning, new: Turning) -> Motion:
     if isinstance(motion, Rigid):
         ways = (new if own == old else own for own in motion.alignments)
         return Rigid(tuple(cast("Iterator[Alignment]", ways)))
-    return (
-        motion._replace(pieces=(cast("pen.Whole", new),))
-        if isinstance(motion, pen.Pen)
-        else cast("Whole", new)
-    )
+    if isinstance(motion, Whole):
+        return cast("Whole", new)
+    return cast("pen.Pen", motion)._replace(pieces=(cast("pen.Whole", new),))
 
 
 def _reach(shape: ShapeBlend) -> float:

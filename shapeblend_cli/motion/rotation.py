@@ -51,8 +51,11 @@ FAR_MORE = 3.0
 UNLIKE = 0.97
 """Maximum correlation of outlines that are turned less: discs are as good in any way."""
 
-EIGHTH, OFF = np.pi / 4.0, np.radians(8.0)
-"""Angles of which such a turn is a multiple, and how far from that it may be, in radians."""
+EIGHTH = np.pi / 4.0
+"""Angle of which such a turn is about a multiple, in radians."""
+
+OFF = np.radians(8.0)
+"""Maximum distance of such a turn from a multiple of that, in radians."""
 
 CORNER = np.radians(50.0)
 """Minimum turn inwards at a corner, in radians."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from shapeblend_cli.model import WHOLE
 from shapeblend_cli.motion.early import (
@@ -20,15 +20,13 @@ from shapeblend_cli.motion.early import (
     shares_by_size,
     with_early_parts,
 )
-from shapeblend_cli.motion.pen import Drawing, Pen, Riding
-from shapeblend_cli.motion.trims import trim_of
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
 
     from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.motion.early import Numbers
-    from shapeblend_cli.motion.pen import Moving
+    from shapeblend_cli.motion.pen import Moving, Pen
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
@@ -100,13 +98,19 @@ def _are_strokes_alone(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
 
 def _is_drawn(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
     """Return whether a shape is one of some parts that is drawn on or back."""
+    if shape.motion_name != "pen":
+        return False
+    from shapeblend_cli.motion.pen import Pen  # most drawings have no lines
+
     return isinstance(shape.motion, Pen) and all((c.a, c.b) in parts for c in shape.contours)
 
 
 def _drawn_in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBlend:
     """Return a part that is drawn on or back in its share of the time, and carried along as it would be anyway."""
-    (contour,), motion = shape.contours, shape.motion
-    assert isinstance(motion, Pen), "it is drawn"
+    from shapeblend_cli.motion.pen import Riding  # as above
+    from shapeblend_cli.motion.trims import trim_of
+
+    (contour,), motion = shape.contours, cast("Pen", shape.motion)
     share = parts[contour.a, contour.b]
     span = (share, 1.0) if contour.grows else (0.0, 1.0 - share)
     pieces = tuple(
@@ -122,6 +126,8 @@ def _drawn_in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBl
 
 def _all_along(moving: Moving) -> Moving:
     """Return a polyline that is drawn in all of its own time."""
+    from shapeblend_cli.motion.pen import Drawing  # as above
+
     return moving._replace(span=WHOLE) if isinstance(moving, Drawing) else moving
 
 
