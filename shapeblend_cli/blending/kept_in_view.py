@@ -45,7 +45,7 @@ class _Turn(NamedTuple):
 
 
 def kept_in_view(shapes: Shapes, view: Box) -> Shapes:
-    """Return shapes of which those that turn stay in a view, as far as both drawings do; not where all turns as one."""
+    """Return shapes of which those that turn stay in a view, as far as both drawings do."""
     groups: dict[Hashable, list[_Turn]] = defaultdict(list)
     for k, shape in enumerate(shapes):
         for key, turn in _turns(k, shape.motion, len(shape.contours)):
@@ -53,8 +53,9 @@ def kept_in_view(shapes: Shapes, view: Box) -> Shapes:
     found = list(shapes)
     count = sum(len(shape.contours) for shape in shapes)
     for turns in groups.values():
-        if sum(len(turn.contours) for turn in turns) == count:
-            continue  # all of the drawing keeps its size, and the view grows
+        is_whole = sum(len(turn.contours) for turn in turns) == count
+        if is_whole and shapes[0].motion_name != "pen":
+            continue  # a solid drawing that turns as a whole keeps its size, and the view grows
         start, *between, end = (_box(shapes, turns, t) for t in (0.0, *TIMES, 1.0))
         room = Box.union([view, start, end])
         seen = room.expanded(UNSEEN * room.larger_side)
