@@ -25,7 +25,7 @@ from shapeblend_cli.batch.worker import (
     write_answer,
     write_answers,
 )
-from shapeblend_cli.errors import ShapeblendError
+from shapeblend_cli.errors import ShapeblendError, in_words
 from shapeblend_cli.system.interrupts import NOTHING, late, told, too_large
 from shapeblend_cli.system.processes import TOO_LARGE, Child
 
@@ -67,6 +67,10 @@ class CannotStart(ShapeblendError):
     """Worker processes end before they have loaded all that they need."""
 
 
+class CannotWrite(ShapeblendError):
+    """What jobs have made cannot be written, and that is not due to one of them."""
+
+
 def run_all(
     orders: Iterable[tuple[int, Order]], processes: int, most: int = 0, module: str = BLENDS
 ) -> Iterator[Ended]:
@@ -80,6 +84,8 @@ def run_all(
         If a signal asked to stop, after all processes have ended; what they were writing is whole.
     CannotStart
         If no process can be started.
+    CannotWrite
+        If nothing that jobs make can be written any more.
     """
     jobs = _Jobs(orders, most)
     if not jobs.waiting:
@@ -159,7 +165,8 @@ class _Jobs:
 class Writer:
     """A thread that writes what jobs have made, in turn, and meanwhile further ones are done.
 
-    It writes all that is there at a time. `end` takes jobs as they end, and `tell` errors, and None in the end.
+    It writes all that is there at a time. `end` takes jobs as they end, and `tell` errors, and None in the end. After
+    an error nobody waits for it, and what it takes is left.
     """
 
     def __init__(self, end: Callable[[Ended], None], tell: Callable[[Exception | None], None]) -> None:
@@ -192,8 +199,9 @@ class Writer:
             while made := self._next():
                 self._write(made)
         except Exception as error:
-            self._tell(error)
+            self._tell(CannotWrite(in_words(error)))
         finally:
+            self.end()
             self._tell(None)
 
     def _next(self) -> list[tuple[Order, Ended]]:

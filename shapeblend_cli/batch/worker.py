@@ -141,11 +141,11 @@ def write_answer(order: Order, answer: Answer, made_of: dict[str, Any]) -> Answe
 
 def write_answers(made: Sequence[tuple[Order, Answer, dict[str, Any]]]) -> list[Answer]:
     """Write what several jobs have made, in as few steps as can be; see `write_answer`."""
-    jobs = [job_for(order) for order, _, _ in made]
     contents: dict[Path, Any] = {}
     orders, answers, inputs = zip(*made, strict=True)
     warned: list[list[str]] = [[] for _ in made]
     try:
+        jobs = [job_for(order) for order in orders]
         for job, (order, answer, of), texts in zip(jobs, made, warned, strict=True):
             check_files_of(job)
             contents |= answer.contents
@@ -153,16 +153,16 @@ def write_answers(made: Sequence[tuple[Order, Answer, dict[str, Any]]]) -> list[
         with several(_record, orders, jobs, answers, inputs) as each:
             list(each)
         write_files(contents, force=True)
+        for job, order, texts in zip(jobs, orders, warned, strict=True):
+            if order.warns:
+                warn_of_others(job, texts.append)
     except Exception:
         # One by one, each that can be written is.
         return [write_answer(*one) for one in made]
-    done = []
-    for job, (order, answer, _), texts in zip(jobs, made, warned, strict=True):
-        if order.warns:
-            warn_of_others(job, texts.append)
-        warnings = (*answer.warnings, *texts)
-        done.append(answer._replace(warnings=warnings, contents=None, made_of=None))
-    return done
+    return [
+        answer._replace(warnings=(*answer.warnings, *texts), contents=None, made_of=None)
+        for answer, texts in zip(answers, warned, strict=True)
+    ]
 
 
 def _record(order: Order, job: Job, answer: Answer, made_of: dict[str, Any]) -> None:

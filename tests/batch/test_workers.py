@@ -1,5 +1,6 @@
 """Processes that die, take too long or are stopped, and what stands then."""
 
+import errno
 import heapq
 import json
 import os
@@ -14,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from shapeblend_cli.batch import supervisor
+from shapeblend_cli.batch import supervisor, worker
 from shapeblend_cli.batch.worker import Answer, Order
 from shapeblend_cli.cli import run
 from shapeblend_cli.cli.terminal import Pace
@@ -187,6 +188,52 @@ def test_what_cannot_be_written_is_tried_again(monkeypatch, retries, status, att
     writer.end()
     writer.join()
     assert [(each.number, each.answer.status, each.attempts) for each in ended] == [(7, status, attempts)]
+
+
+def test_nobody_waits_for_a_writer_that_failed(monkeypatch):
+    disk, told = Slow(monkeypatch), []
+    monkeypatch.setattr(supervisor, "MUCH", 10)
+    monkeypatch.setattr(disk, "made", None)  # which fails when something is added
+    writer = supervisor.Writer(lambda ended: None, told.append)
+
+    def make():
+        for number in range(4):
+            answer = Answer("done", contents={Path("x.svg"): "123456"}, made_of={})
+            writer.take(Order((), {}, False), supervisor.Ended(number, answer, 1))
+
+    maker = threading.Thread(target=make, daemon=True)
+    maker.start()
+    disk.goes_on.set()
+    maker.join(5)
+    assert not maker.is_alive()
+    assert [type(each) for each in told] == [supervisor.CannotWrite, type(None)]
+
+
+@pytest.mark.usefixtures("forked")
+def test_a_batch_whose_writer_fails_ends_with_one_line(drawings, monkeypatch, capsys):
+    def fail(made):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "m")
+
+    monkeypatch.setattr(supervisor, "write_answers", fail)
+    monkeypatch.setattr(supervisor, "MUCH", 10)
+    assert run(["batch", *LINE, "-j", "2", "--quiet", "--summary", "s.json"]) == 1
+    line = "m: cannot be written (No space left on device)"
+    assert capsys.readouterr().err == f"shapeblend: {line}\n"
+    assert json.loads(Path("s.json").read_bytes())["error"] == line
+
+
+@pytest.mark.usefixtures("forked")
+def test_a_folder_that_is_taken_away_after_it_is_written_is_written_again(drawings, batch, monkeypatch):
+    look = worker.warn_of_others
+
+    def take_away(job, warn):
+        if not Path("away").exists():
+            Path(job.output.path).rename("away")
+        look(job, warn)
+
+    monkeypatch.setattr(worker, "warn_of_others", take_away)
+    status, results, _ = batch("--chain", "in", "-o", "m/{n}", "-j", "1")
+    assert (status, len(results), len(list(Path("m").glob("*/*.svg")))) == (0, 3, 15)
 
 
 @pytest.mark.usefixtures("forked")
