@@ -69,8 +69,7 @@ def move_shapes(paired: PairedDrawings, shapes: Sequence[ShapeBlend], view: Box)
             is_affordable=affordable > 0 and len(shape.contours) <= CROWD,
         )
         choice = choose(shape, situation)
-        others = [contour for other in shapes if other is not shapes[k] for contour in other.contours]
-        turn = partial(_with_parts_turned, paired, shapes[k], others)
+        turn = partial(_with_parts_turned, paired, shapes, k)
         rotate = partial(_rotated, paired, shapes[k], shape, shared[k])
         if choice.motion == JUDGED:
             affordable -= sum(len(contour.start.segments) for contour in shape.contours)
@@ -97,13 +96,14 @@ def _judged(
 
 
 def _with_parts_turned(
-    paired: PairedDrawings, matched: ShapeBlend, others: Sequence[ContourBlend]
+    paired: PairedDrawings, shapes: Sequence[ShapeBlend], number: int
 ) -> ShapeBlend | None:
-    """Return a shape some parts of which are turned far, and turn as they are; None if there are none.
+    """Return one of the shapes with some parts turned far, which turn as they are; None if there are none.
 
-    What stays in place is no part: an arrow that is cut out of a plate turns in it. Parts that would run into `others`,
-    contours of other shapes, do not turn.
+    What stays in place is no part: an arrow that is cut out of a plate turns in it. Parts that would run into other
+    shapes do not turn.
     """
+    matched = shapes[number]
     contours = list(matched.contours)
     if len(contours) > MOST_CONTOURS:
         return None
@@ -131,6 +131,7 @@ def _with_parts_turned(
     shape = paired.curved(matched._replace(contours=tuple(contours)))
     shape = shape._replace(motion=Rigid(tuple(alignments)), reason=PARTS_TURN)
     beside = [contour for k, contour in enumerate(matched.contours) if k not in turned]
+    others = [contour for other in shapes if other is not matched for contour in other.contours]
     return shape if _keeps_clear(shape, turned, [*beside, *others]) else None
 
 
