@@ -57,6 +57,8 @@ class Progress(NamedTuple):
 
     def once(self, step: str, objects: Sequence[object], given: Hashable, make: Callable[[], T]) -> T:
         """Return a step made of objects: as it was kept, else as it is made now."""
+        if not self.steps.keeps:
+            return make()
         return _once(self.steps, (step, *map(id, objects), given), objects, make, 0)
 
     def once_for(self, step: str, placed: PlacedDrawing, given: Hashable, make: Callable[[], T]) -> T:
@@ -64,6 +66,8 @@ class Progress(NamedTuple):
         objects = placed.drawing, *placed.contours
         if self.steps.keeps:
             return self.once(step, objects, given, make)
+        if not self.drawings.keeps:
+            return make()
         size = placed.drawing.bytes_of_segments
         return _once(self.drawings, (step, *map(id, objects), given), objects, make, size)
 
@@ -156,8 +160,11 @@ class PairedDrawings(NamedTuple):
 
     @property
     def _unnamed_settings(self) -> str:
-        """The settings that matches depend on, without those that are in the constraints of each pair."""
-        return _unnamed(self.settings)
+        """The settings that matches depend on, without those that are in the constraints of each pair.
+
+        Nothing where no steps are kept by them.
+        """
+        return _unnamed(self.settings) if self.progress.steps.keeps else ""
 
 
 @lru_cache(maxsize=8)

@@ -138,7 +138,7 @@ class Record:
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} is frozen; replace({name}=...) makes a changed copy")
 
-    @property
+    @cached_property
     def values(self) -> tuple[Any, ...]:
         """The values of all fields."""
         return tuple(getattr(self, name) for name in self.options)
