@@ -105,6 +105,7 @@ HANDED_DOWN = {
         for what in ("name", "segments")
     ),
     "Intrinsic.expect",  # the outlines at all times that a shape is asked for, found together
+    "_Figures.__call__",  # those of a `Correspondence` that only reports have
     "Proof.__call__",  # the lower bound of a `Correspondence`, searched for when it is asked for
     *("Settings._defaults", "WorkConstants._defaults"),  # a `Record` asks what it is made of
 }

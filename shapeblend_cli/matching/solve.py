@@ -9,13 +9,13 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.matching import angles, coarse, graph
-from shapeblend_cli.model import Correspondence
+from shapeblend_cli.matching.work import Wires
+from shapeblend_cli.model import Correspondence, Figures
 from shapeblend_cli.model.arrays import rolled
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.model import IntArray
 
     Dot = tuple[int, int]
@@ -157,9 +157,24 @@ def _correspondence(
     dots: IntArray, wires: Wires, path: IntArray, lower_bound: float, sweeps: int
 ) -> Correspondence:
     """Return dots as a correspondence; the same path, by the vertices of these wires, is priced."""
-    work, zeros = wires.price(path)
-    deviation = diagonal_deviation(dots, wires.m, wires.n, wires.closed)
-    return Correspondence(dots, wires.closed, work, min(lower_bound, work.total), zeros, deviation, sweeps)
+    work = wires.path_work(path)
+    figures = _Figures(wires, path, dots)
+    return Correspondence(dots, wires.closed, work, min(lower_bound, work.total), figures, sweeps)
+
+
+class _Figures:
+    """The figures of a path, counted when one of them is asked for."""
+
+    def __init__(self, wires: Wires, path: IntArray, dots: IntArray) -> None:
+        # Not the wires, whose angles would fill the memory: zero angles depend on the vertices alone.
+        self._wires = wires.p0, wires.p1, wires.closed, wires.constants
+        self._path, self._dots = path, dots
+
+    def __call__(self) -> Figures:
+        """Return the figures."""
+        wires = Wires(*self._wires)
+        deviation = diagonal_deviation(self._dots, wires.m, wires.n, wires.closed)
+        return Figures(wires.zero_angles(self._path), deviation)
 
 
 def is_proven(m: int, n: int, effort: str) -> bool:
@@ -236,4 +251,4 @@ def _crossing(rolled: list[Dot], pins: list[Dot], closed: bool) -> str:
 def from_column_0(dots: IntArray) -> IntArray:
     """Return a closed path from where it enters column 0 from another column."""
     first = (dots[:, 0] == 0) & (rolled(dots[:, 0], 1) != 0)
-    return rolled(dots, -int(np.flatnonzero(first)[0]))
+    return rolled(dots, -int(first.argmax()))

@@ -242,8 +242,8 @@ class Wires:
         if self.constants.k_t:
             add_travel(*self._stations, self.constants.k_t, columns, window, bends)
 
-    def price(self, dots: IntArray) -> tuple[Work, int]:
-        """Return the work of a given path, by the equations and without a graph, and the number of its zero angles.
+    def path_work(self, dots: IntArray) -> Work:
+        """Return the work of a given path, by the equations and without a graph.
 
         Parameters
         ----------
@@ -262,16 +262,16 @@ class Wires:
         stretching = stiff * stretching_work(
             self.len0[columns] * moves0, self.len1[rows] * moves1, self.constants
         )
-        *terms, zeros = self._bends_along(at, kinds, *self._terms_of_bends, self._fill_zeros)
-        work = Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
-        return work, int(zeros.sum())
+        terms = self._bends_along(at, kinds, *self._terms_of_bends)
+        return Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
 
-    def path_work(self, dots: IntArray) -> Work:
-        """Return the work of a path, see `price`."""
-        return self.price(dots)[0]
+    def zero_angles(self, dots: IntArray) -> int:
+        """Return the number of dots of a path (see `path_work`) whose angle reaches zero."""
+        _, _, _, at, kinds = self._path(dots)
+        return int(self._bends_along(at, kinds, self._fill_zeros)[0].sum())
 
     def bends_on(self, dots: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
-        """Return the dots of a path (see `price`) that have an angle, their bends, and the bending work of each."""
+        """Return the dots of a path (see `path_work`) that have an angle, their bends, and the bending work of each."""
         _, _, _, at, kinds = self._path(dots)
         return np.stack(at, axis=1), kinds, self._bends_along(at, kinds, self._fill_bending)[0]
 

@@ -7,7 +7,6 @@ the time to define, and the command starts that much sooner.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
@@ -16,6 +15,9 @@ import numpy as np
 from shapeblend_cli.model.arrays import frozen as frozen
 from shapeblend_cli.model.arrays import unroll as unroll
 from shapeblend_cli.model.box import Box as Box
+from shapeblend_cli.model.correspondence import Correspondence as Correspondence
+from shapeblend_cli.model.correspondence import Figures as Figures
+from shapeblend_cli.model.correspondence import Work as Work
 from shapeblend_cli.model.drawing import MOST_CONTOURS as MOST_CONTOURS
 from shapeblend_cli.model.drawing import MOST_SEGMENTS as MOST_SEGMENTS
 from shapeblend_cli.model.drawing import NORMAL as NORMAL
@@ -55,7 +57,7 @@ from shapeblend_cli.model.style import Stop as Stop
 from shapeblend_cli.model.style import Style as Style
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from shapeblend_cli.model.arrays import BoolArray as BoolArray
     from shapeblend_cli.model.arrays import ComplexArray as ComplexArray
@@ -63,95 +65,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.model.arrays import IntArray as IntArray
     from shapeblend_cli.model.arrays import PictureArray as PictureArray
     from shapeblend_cli.model.arrays import UIntArray as UIntArray
-
-
-class Work(NamedTuple):
-    """The work of a correspondence by its terms, each summed along the path."""
-
-    stretching: float = 0.0  # eq (16)
-    bending: float = 0.0  # eq (17), or by turning
-    travel: float = 0.0  # of points on their way
-
-    @property
-    def total(self) -> float:
-        """All work together."""
-        return sum(self)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Correspondence:
-    """Corresponding vertices of two polygons, and the work between them.
-
-    Attributes
-    ----------
-    dots : (k, 2) int
-        The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
-        returns to the first dot, which is not repeated.
-    closed : bool
-    terms : Work
-        Its terms are attributes of the correspondence, too.
-    bound : float or callable
-        What `lower_bound` gives, or searches for it when that is asked for. It is the minimum work of any
-        correspondence of the two polygons in these directions: from any start, through any vertices, in no band,
-        exactly solved. Equal to the work if that is the least; 0 if nothing is known.
-    zero_angles : int
-        Dots whose angle reaches zero.
-    diagonal_deviation : float
-        Eq (30), from the start.
-    sweeps : int
-        Number of passes over the graph.
-    """
-
-    dots: IntArray
-    closed: bool
-    terms: Work
-    bound: float | Callable[[], float]
-    zero_angles: int
-    diagonal_deviation: float
-    sweeps: int
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "dots", frozen(self.dots, np.intp))
-
-    @classmethod
-    def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
-        """Return a correspondence that was given, not solved, without its work."""
-        return cls(dots, closed, Work(), bound=0.0, zero_angles=0, diagonal_deviation=0.0, sweeps=0)
-
-    @property
-    def pairs(self) -> IntArray:
-        """The dots: pairs of vertex numbers."""
-        return self.dots
-
-    @property
-    def work(self) -> float:
-        """All work together."""
-        return self.terms.total
-
-    @property
-    def stretching(self) -> float:
-        """The work of stretching."""
-        return self.terms.stretching
-
-    @property
-    def bending(self) -> float:
-        """The work of bending."""
-        return self.terms.bending
-
-    @property
-    def travel(self) -> float:
-        """The work of travel."""
-        return self.terms.travel
-
-    @property
-    def lower_bound(self) -> float:
-        """Minimum work of any correspondence of the two polygons, see `bound`."""
-        return self.bound() if callable(self.bound) else self.bound
-
-    @property
-    def gap(self) -> float:
-        """Maximum work that another path could save, as a share; 0 if this path is proven to be the best."""
-        return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
 
 
 class LinePart(NamedTuple):

@@ -283,6 +283,5 @@ def test_bending_without_end_still_has_its_zero_angles_counted(bending):
     square, bow = np.array([0, 1, 1 + 1j, 1j]), np.array([0, 1, 1j, 1 + 1j])
     dots = np.arange(4)[:, None].repeat(2, axis=1)
     wires = Wires(square, bow, True, WorkConstants(e_b=1e4, bending=bending))
-    work, zeros = wires.price(dots)
-    assert work.bending == np.inf
-    assert 0 <= zeros <= 4
+    assert wires.path_work(dots).bending == np.inf
+    assert 0 <= wires.zero_angles(dots) <= 4

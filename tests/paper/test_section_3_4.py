@@ -28,10 +28,11 @@ def equation_19(k_s, k_b, e_s, e_b, c_s):
 @pytest.mark.parametrize(("k_s", "k_b", "work"), [(0.5, 0.5, 1.914), (0.4, 0.6, 2.159)])
 def test_blend_1(k_s, k_b, work):
     constants = WorkConstants(**PAPER, k_s=k_s, k_b=k_b, e_s=1, e_b=1, c_s=0.5)
-    priced, zeros = Wires(TRIANGLE_HALVED, SQUARE, True, constants).price(BLEND_1)
+    wires = Wires(TRIANGLE_HALVED, SQUARE, True, constants)
+    priced = wires.path_work(BLEND_1)
     assert priced.total == pytest.approx(work, abs=5e-4)
     assert priced.total == pytest.approx(equation_18(k_s, k_b, 1, 1, 0.5), abs=1e-5)
-    assert zeros == 0
+    assert wires.zero_angles(BLEND_1) == 0
 
 
 @pytest.mark.parametrize(("k_s", "k_b", "work"), [(0.5, 0.5, 1.957), (0.4, 0.6, 1.88)])

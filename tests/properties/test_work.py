@@ -70,7 +70,8 @@ def test_no_path_costs_less_than_the_least_nor_than_the_bound(rng, m, n, closed,
 def test_rotated_half_a_turn_it_costs_its_travel_alone(rng, m, constants):
     p = unit_box(star_with(rng, 5 * m))
     q = 1 + 1j * np.ptp(p.imag) - p if np.ptp(p.real) == 1.0 else np.ptp(p.real) + 1j - p
-    work, zeros = Wires(p, q, True, constants).price(np.arange(5 * m)[:, None].repeat(2, axis=1))
+    wires, dots = Wires(p, q, True, constants), np.arange(5 * m)[:, None].repeat(2, axis=1)
+    work, zeros = wires.path_work(dots), wires.zero_angles(dots)
     assert work.stretching == pytest.approx(0.0, abs=1e-9)
     straight = np.zeros(len(p)) if constants.p_b == 0.0 else constants.p_b * zeros
     assert work.bending == pytest.approx(straight, abs=1e-7)

@@ -1,0 +1,119 @@
+"""Which vertices of two polygons correspond, and the work between them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from shapeblend_cli.model.arrays import frozen
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from shapeblend_cli.model.arrays import IntArray
+
+
+class Work(NamedTuple):
+    """The work of a correspondence by its terms, each summed along the path."""
+
+    stretching: float = 0.0  # eq (16)
+    bending: float = 0.0  # eq (17), or by turning
+    travel: float = 0.0  # of points on their way
+
+    @property
+    def total(self) -> float:
+        """All work together."""
+        return sum(self)
+
+
+class Figures(NamedTuple):
+    """Figures of a path that reports have, and nothing else needs."""
+
+    zero_angles: int = 0
+    diagonal_deviation: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Correspondence:
+    """Corresponding vertices of two polygons, and the work between them.
+
+    Attributes
+    ----------
+    dots : (k, 2) int
+        The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
+        returns to the first dot, which is not repeated.
+    closed : bool
+    terms : Work
+        Its terms are attributes of the correspondence, too.
+    bound : float or callable
+        What `lower_bound` gives, or searches for it when that is asked for. It is the minimum work of any
+        correspondence of the two polygons in these directions: from any start, through any vertices, in no band,
+        exactly solved. Equal to the work if that is the least; 0 if nothing is known.
+    figures : callable
+        Counts `zero_angles`, the dots whose angle reaches zero, and measures `diagonal_deviation`, eq (30), from the
+        start, when one of them is asked for.
+    sweeps : int
+        Number of passes over the graph.
+    """
+
+    dots: IntArray
+    closed: bool
+    terms: Work
+    bound: float | Callable[[], float]
+    figures: Callable[[], Figures]
+    sweeps: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "dots", frozen(self.dots, np.intp))
+
+    @classmethod
+    def without_work(cls, dots: IntArray, closed: bool) -> Correspondence:
+        """Return a correspondence that was given, not solved, without its work."""
+        return cls(dots, closed, Work(), bound=0.0, figures=Figures, sweeps=0)
+
+    @property
+    def pairs(self) -> IntArray:
+        """The dots: pairs of vertex numbers."""
+        return self.dots
+
+    @property
+    def work(self) -> float:
+        """All work together."""
+        return self.terms.total
+
+    @property
+    def stretching(self) -> float:
+        """The work of stretching."""
+        return self.terms.stretching
+
+    @property
+    def bending(self) -> float:
+        """The work of bending."""
+        return self.terms.bending
+
+    @property
+    def travel(self) -> float:
+        """The work of travel."""
+        return self.terms.travel
+
+    @property
+    def zero_angles(self) -> int:
+        """Number of dots whose angle reaches zero."""
+        return self.figures().zero_angles
+
+    @property
+    def diagonal_deviation(self) -> float:
+        """Eq (30), from the start."""
+        return self.figures().diagonal_deviation
+
+    @property
+    def lower_bound(self) -> float:
+        """Minimum work of any correspondence of the two polygons, see `bound`."""
+        return self.bound() if callable(self.bound) else self.bound
+
+    @property
+    def gap(self) -> float:
+        """Maximum work that another path could save, as a share; 0 if this path is proven to be the best."""
+        return (self.work - self.lower_bound) / self.work if self.work > 0.0 else 0.0
