@@ -9,7 +9,7 @@ import numpy as np
 
 from shapeblend_cli.matching import sweeps
 from shapeblend_cli.matching.steps import ENTERING, STEPS
-from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
+from shapeblend_cli.matching.tables import Progress, Tables, Terminals, Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -147,6 +147,7 @@ class Graph:
         self._visited: IntArray = np.empty((self.columns, 2), np.intp)
         self._least: float | None = None
         self._progress: Progress | None = None
+        self._arrays: sweeps.Arrays | None = None  # of that progress
         self._dots = region.dots
         self._tables: Tables | None = None
         if self.closed:
@@ -227,7 +228,7 @@ class Graph:
     def _bound_states(self, starts: Starts) -> None:
         """Bound the work from every state to the ends of paths from these starts."""
         assert self._tables is not None
-        self._to_go = np.empty((self._dots, 3))
+        self._to_go, self._arrays = np.empty((self._dots, 3)), None
         sweeps.cost_to_go(self._tables, self.region, starts.terminals(self.span), self._to_go, NOT_KEPT)
         self.sweeps += 1
         self.watch(FIRST_SWEPT)
@@ -296,26 +297,35 @@ class Graph:
             progress = self._progress = Progress(window, sources, self._visited, rows)
         else:
             progress = self._progress.again(sources, rows)
-        bounds = Bounds(self.region, self._to_go[:0] if simplified else self._to_go, limit)
         for tables, last_column in self._blocks(window):
-            sweeps.sweep(tables, window, sources, bounds, progress, last_column, simplified)
+            arrays = self._arrays_of(tables, window, progress)
+            sweeps.sweep(arrays, sources, limit, progress, last_column, simplified)
             if progress.is_dead:
                 break
             if self.sweeps == 0:
                 self.watch(FIRST_SWEPT * last_column / self.columns)
         self.sweeps += 1
-        return None if progress.is_dead else self._least_end(starts, window, progress, limit)
+        return None if progress.is_dead else self._least_end(starts, window, arrays, limit)
 
-    def _least_end(self, starts: Starts, window: Window, progress: Progress, limit: float) -> Found | None:
+    def _arrays_of(self, tables: Tables, window: Window, progress: Progress) -> sweeps.Arrays:
+        """Return the arrays of a sweep; those of sweeps through the whole region are the same ones."""
+        arrays = self._arrays if progress is self._progress else None
+        if arrays is None:
+            arrays = sweeps.Arrays(tables, window, self.region, self._to_go, progress)
+            if progress is self._progress:
+                self._arrays = arrays
+        return arrays
+
+    def _least_end(self, starts: Starts, window: Window, arrays: sweeps.Arrays, limit: float) -> Found | None:
         """Return the least path to the ends that belong to the starts, `span` rows further down."""
         low = int(window.low[-1])
         first_end = starts.first_row + self.span - low
         least = np.empty(starts.rows)
-        row, step = sweeps.least_end(progress.ends, first_end, starts.steps if self.closed else STEPS, least)
+        row, step = sweeps.least_end(arrays, first_end, starts.steps if self.closed else STEPS, least)
         if row < 0 or not least[row] < limit:
             return None
         work, row = float(least[row]), row + low + first_end
-        dots, first_step = sweeps.backtrack(progress.parents, window, row, step, starts.first_row)
+        dots, first_step = sweeps.backtrack(arrays, row, step, starts.first_row)
         own = int(dots[0, 1]) + self.span == row and (first_step == step or not self.closed)
         if own and self._in_band(dots):
             return Found(work, dots, True, NO_ENDS)

@@ -70,8 +70,9 @@ def least_of_all(graph: Graph, known: float = np.inf, most_swept: float = np.inf
 
     # Then runs of neighbouring rows that could still do better.
     rows = (bounds < limit).nonzero()[0]
-    runs = np.split(rows, (rows[1:] - rows[:-1] > 1).nonzero()[0] + 1) if len(rows) else []
-    sets = [Starts(float(bounds[r].min()), first + int(r[0]), first + int(r[-1]), ENTERING) for r in runs]
+    gaps = (rows[1:] - rows[:-1] > 1).nonzero()[0]
+    runs = zip(rows[[0, *(gaps + 1)]].tolist(), rows[[*gaps, -1]].tolist(), strict=True) if len(rows) else ()
+    sets = [Starts(float(bounds[p : q + 1].min()), first + p, first + q, ENTERING) for p, q in runs]
     found = _branch_and_bound(graph, sets, limit, most_swept)
     if found is None and best is not None and graph.swept >= most_swept:
         best = best._replace(is_least=False)

@@ -44,8 +44,8 @@ else:
     from shapeblend_cli._cython import look_for_signals
 
 if TYPE_CHECKING:
-    from shapeblend_cli.matching.tables import Bounds, Progress, Tables, Terminals, Window
-    from shapeblend_cli.model import IntArray
+    from shapeblend_cli.matching.tables import Progress, Tables, Terminals, Window
+    from shapeblend_cli.model import FloatArray, IntArray
 
 COMPILED = cython.compiled
 
@@ -179,11 +179,58 @@ def cost_to_go(
                 k += n
 
 
+@cython.final
+@cython.cclass
+class Arrays:
+    """All that sweeps through one window read and write: to look up so many arrays takes as long as a short sweep.
+
+    Parameters
+    ----------
+    tables : Tables
+        Of the columns to sweep, at least.
+    window : Window
+    bounded : Window
+    to_go : (dots, 3) float
+        Lower bounds on the work from each state of that window onwards, by `cost_to_go`, or empty.
+    progress : Progress
+    """
+
+    east: cython.double[::1]
+    south: cython.double[::1]
+    southeast: cython.double[::1]
+    bends: cython.double[::1]
+    weight: cython.double[::1]
+    origin: cython.Py_ssize_t[::1]
+    offset: cython.Py_ssize_t[::1]
+    first_column: cython.Py_ssize_t
+    low: cython.Py_ssize_t[::1]
+    high: cython.Py_ssize_t[::1]
+    parent_offset: cython.Py_ssize_t[::1]
+    to_go: cython.double[::1]
+    to_go_low: cython.Py_ssize_t[::1]
+    to_go_offset: cython.Py_ssize_t[::1]
+    leaving: cython.double[::1]
+    parents: cython.uchar[::1]
+    visited: cython.Py_ssize_t[:, ::1]
+    ends: cython.double[:, ::1]
+
+    def __init__(
+        self, tables: Tables, window: Window, bounded: Window, to_go: FloatArray, progress: Progress
+    ) -> None:
+        self.east, self.south, self.southeast = tables.east, tables.south, tables.southeast
+        self.bends, self.weight = tables.bends.reshape(-1), tables.weight
+        self.origin, self.offset = tables.window.low, tables.window.column_offset
+        self.first_column = tables.first_column
+        self.low, self.high, self.parent_offset = window
+        self.to_go, self.to_go_low, self.to_go_offset = to_go.reshape(-1), bounded.low, bounded.column_offset
+        self.leaving, self.parents = progress.leaving.reshape(-1), progress.parents
+        self.visited, self.ends = progress.visited, progress.ends
+
+
 def sweep(
-    tables: Tables,
-    window: Window,
+    arrays: Arrays,
     starts: Terminals,
-    bounds: Bounds,
+    limit: cython.double,
     progress: Progress,
     last_column: cython.Py_ssize_t,
     simplified: cython.bint,
@@ -194,12 +241,11 @@ def sweep(
 
     Parameters
     ----------
-    tables : Tables
-        Of the columns to sweep, at least.
-    window : Window
+    arrays : Arrays
     starts : Terminals
         In column 0.
-    bounds : Bounds
+    limit : float
+        States are left out that no path of less work goes through, by the lower bounds.
     progress : Progress
         Carried on.
     last_column : int
@@ -208,33 +254,32 @@ def sweep(
         Keep only the cheapest state of each dot: section 4.1, eqs (23)-(28). Turns of 90 degrees, which (23)-(25) allow
         and section 4 forbids, cost infinitely much all the same.
     """
-    east: cython.double[::1] = tables.east
-    south: cython.double[::1] = tables.south
-    southeast: cython.double[::1] = tables.southeast
-    bends: cython.double[::1] = tables.bends.reshape(-1)
-    weight: cython.double[::1] = tables.weight
-    origin: cython.Py_ssize_t[::1] = tables.window.low
-    offset: cython.Py_ssize_t[::1] = tables.window.column_offset
-    first_column: cython.Py_ssize_t = tables.first_column
-    low: cython.Py_ssize_t[::1] = window.low
-    high: cython.Py_ssize_t[::1] = window.high
-    parent_offset: cython.Py_ssize_t[::1] = window.column_offset
+    east: cython.double[::1] = arrays.east
+    south: cython.double[::1] = arrays.south
+    southeast: cython.double[::1] = arrays.southeast
+    bends: cython.double[::1] = arrays.bends
+    weight: cython.double[::1] = arrays.weight
+    origin: cython.Py_ssize_t[::1] = arrays.origin
+    offset: cython.Py_ssize_t[::1] = arrays.offset
+    first_column: cython.Py_ssize_t = arrays.first_column
+    low: cython.Py_ssize_t[::1] = arrays.low
+    high: cython.Py_ssize_t[::1] = arrays.high
+    parent_offset: cython.Py_ssize_t[::1] = arrays.parent_offset
     start_work: cython.double[::1] = starts.work
-    to_go: cython.double[::1] = bounds.to_go.reshape(-1)
-    to_go_low: cython.Py_ssize_t[::1] = bounds.window.low
-    to_go_offset: cython.Py_ssize_t[::1] = bounds.window.column_offset
-    limit: cython.double = bounds.limit
-    rows: cython.Py_ssize_t = progress.leaving.shape[1]
-    leaving: cython.double[::1] = progress.leaving.reshape(-1)
-    parents: cython.uchar[::1] = progress.parents
-    visited: cython.Py_ssize_t[:, ::1] = progress.visited
-    ends: cython.double[:, ::1] = progress.ends
+    to_go: cython.double[::1] = arrays.to_go
+    to_go_low: cython.Py_ssize_t[::1] = arrays.to_go_low
+    to_go_offset: cython.Py_ssize_t[::1] = arrays.to_go_offset
+    leaving: cython.double[::1] = arrays.leaving
+    rows: cython.Py_ssize_t = leaving.shape[0] // 4
+    parents: cython.uchar[::1] = arrays.parents
+    visited: cython.Py_ssize_t[:, ::1] = arrays.visited
+    ends: cython.double[:, ::1] = arrays.ends
     lowest: cython.Py_ssize_t = progress.rows[0]
     highest: cython.Py_ssize_t = progress.rows[1]
     columns: cython.Py_ssize_t = low.shape[0]
     m: cython.Py_ssize_t = weight.shape[0]
     n: cython.Py_ssize_t = south.shape[0]
-    pruning: cython.bint = to_go.shape[0] > 0
+    pruning: cython.bint = to_go.shape[0] > 0 and not simplified
     south_at_end: cython.bint = simplified or start_work[SOUTH] < INFINITY
     base: cython.Py_ssize_t = low[0] - 1
     first: cython.Py_ssize_t = max(progress.live_rows[0], low[0])
@@ -385,7 +430,7 @@ def sweep(
 
 
 def least_end(
-    ends: cython.double[:, ::1],
+    arrays: Arrays,
     first: cython.Py_ssize_t,
     ending: tuple[int, ...],
     least: cython.double[::1],
@@ -394,8 +439,8 @@ def least_end(
 
     Parameters
     ----------
-    ends : (rows, 3) float
-        Work by the step in, as in `Progress`.
+    arrays : Arrays
+        Of a sweep to the last column.
     first : int
         Row of the first end, which may be before or beyond these rows, as others may be.
     ending : tuple of int
@@ -412,6 +457,7 @@ def least_end(
     """
     cython.declare(k=cython.Py_ssize_t, row=cython.Py_ssize_t, found=cython.Py_ssize_t)
     cython.declare(step=cython.int, step_found=cython.int, work=cython.double, asked=cython.int)
+    ends: cython.double[:, ::1] = arrays.ends
     asked = 0  # a bit for each step
     for step in ending:
         asked |= 1 << step
@@ -430,8 +476,7 @@ def least_end(
 
 
 def backtrack(
-    parents: cython.uchar[::1],
-    window: Window,
+    arrays: Arrays,
     row: cython.Py_ssize_t,
     step: cython.int,
     lowest: cython.Py_ssize_t,
@@ -440,8 +485,8 @@ def backtrack(
 
     Parameters
     ----------
-    parents, window
-        Of the sweep.
+    arrays : Arrays
+        Of that sweep.
     row, step : int
     lowest : int
         The first row of the starts.
@@ -453,8 +498,9 @@ def backtrack(
     step : int
         The step into the start.
     """
-    low: cython.Py_ssize_t[::1] = window.low
-    offset: cython.Py_ssize_t[::1] = window.column_offset
+    parents: cython.uchar[::1] = arrays.parents
+    low: cython.Py_ssize_t[::1] = arrays.low
+    offset: cython.Py_ssize_t[::1] = arrays.parent_offset
     c: cython.Py_ssize_t = low.shape[0] - 1
     k: cython.Py_ssize_t = c + row - lowest
     found = np.empty((k + 1, 2), np.intp)  # the longest path goes East and South alone

@@ -29,7 +29,7 @@ class Window(NamedTuple):
     def between(cls, low: IntArray, high: IntArray) -> Window:
         """Lay out the columns one after the other."""
         heights = high - low + 1
-        return cls(np.ascontiguousarray(low), np.ascontiguousarray(high), np.cumsum(heights) - heights)
+        return cls(np.ascontiguousarray(low), np.ascontiguousarray(high), heights.cumsum() - heights)
 
     @classmethod
     def full(cls, columns: int, rows: int) -> Window:
@@ -88,17 +88,6 @@ class Terminals(NamedTuple):
     first_row: int
     last_row: int
     work: FloatArray
-
-
-class Bounds(NamedTuple):
-    """Lower bounds on the work from each state onwards: (dots, 3), by `sweeps.cost_to_go`, or empty.
-
-    A sweep within the window leaves out states that no path of less work than the limit goes through.
-    """
-
-    window: Window
-    to_go: FloatArray
-    limit: float
 
 
 class Progress:
