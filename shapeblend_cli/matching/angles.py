@@ -124,7 +124,7 @@ def _fill_edges(
 
 def _theta(back: ComplexArray, fwd: ComplexArray) -> FloatArray:
     theta = _arg(fwd.conj() * back)
-    return np.where(theta < 0.0, theta + 2.0 * np.pi, theta)
+    return np.add(theta, 2.0 * np.pi, out=theta, where=theta < 0.0)
 
 
 def turns(vertices: ComplexArray, closed: bool) -> FloatArray:

@@ -124,6 +124,7 @@ def _interpolated(values: ComplexArray, at: FloatArray) -> ComplexArray:
 
 
 @cython.cfunc
+@cython.wraparound(False)
 def _add_moves(
     at: cython.double[::1],
     corners: cython.double[::1],
@@ -136,9 +137,7 @@ def _add_moves(
     corner: cython.Py_ssize_t
     vertex: cython.Py_ssize_t
     reach: cython.double = REACH * sigma
-    heights: cython.double[::1]
-    slopes: cython.double[::1]
-    heights, slopes = _ramp()
+    ramp: cython.double[:, ::1] = _ramp()
     for vertex in range(at.shape[0]):
         if vertex % 64 == 0:
             look_for_signals()
@@ -153,9 +152,9 @@ def _add_moves(
             u: cython.double = place - k
             # Hermite's cubic between two places of the table.
             rest: cython.double = 1.0 - u
-            height: cython.double = (1.0 + 2.0 * u) * rest * rest * heights[k]
-            height += (3.0 - 2.0 * u) * u * u * heights[k + 1]
-            height += u * rest * (rest * slopes[k] - u * slopes[k + 1])
+            height: cython.double = (1.0 + 2.0 * u) * rest * rest * ramp[k, 0]
+            height += (3.0 - 2.0 * u) * u * u * ramp[k + 1, 0]
+            height += u * rest * (rest * ramp[k, 1] - u * ramp[k + 1, 1])
             x += turns[corner].real * height
             y += turns[corner].imag * height
             corner += 1
@@ -163,20 +162,21 @@ def _add_moves(
 
 
 @cache
-def _ramp() -> tuple[FloatArray, FloatArray]:
+def _ramp() -> FloatArray:
     """Return the height of the ramp max(x, 0), smoothed by the standard Gaussian, above itself at x, and its slope.
 
     They are known at `FINE` places x in a standard deviation. A cubic between two of them is off by 1e-15.
     """
-    heights, slopes = np.empty(MOST), np.empty(MOST)
-    _fill_ramp(heights, slopes)
-    return heights, slopes / FINE
+    ramp = np.empty((MOST, 2))
+    _fill_ramp(ramp)
+    ramp[:, 1] /= FINE
+    return ramp
 
 
-def _fill_ramp(heights: cython.double[::1], slopes: cython.double[::1]) -> None:
+def _fill_ramp(ramp: cython.double[:, ::1]) -> None:
     """Fill in the heights, and the slopes in a standard deviation."""
     k: cython.Py_ssize_t
-    for k in range(heights.shape[0]):
+    for k in range(ramp.shape[0]):
         x: cython.double = k / FINE
-        slopes[k] = -0.5 * erfc(x * ROOT_HALF)
-        heights[k] = exp(-0.5 * x * x) / ROOT_TWO_PI + x * slopes[k]
+        ramp[k, 1] = -0.5 * erfc(x * ROOT_HALF)
+        ramp[k, 0] = exp(-0.5 * x * x) / ROOT_TWO_PI + x * ramp[k, 1]
