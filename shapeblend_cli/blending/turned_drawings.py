@@ -124,8 +124,9 @@ def _turned_to_its_axis(
 
 def _axis(points: ComplexArray) -> complex | None:
     """Return the direction in which points spread most, if they spread far less across it."""
-    offsets = points - points.mean()
-    square, both = complex((offsets**2).mean()), float((np.abs(offsets) ** 2).mean())
+    count = len(points)
+    offsets = points - points.sum() / count
+    square, both = complex((offsets**2).sum() / count), float((np.abs(offsets) ** 2).sum() / count)
     if both + abs(square) < LONG**2 * (both - abs(square)):
         return None
     return complex(np.sqrt(square))

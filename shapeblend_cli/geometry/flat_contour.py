@@ -66,9 +66,10 @@ class FlatContour:
     def points_at(self, shares: FloatArray) -> tuple[ComplexArray, IntArray, FloatArray]:
         """Return points of the contour at shares of its length in [0, 1), their segments, and their parameters."""
         # On the edge from one vertex to the next the parameter of the segment grows evenly.
-        edge = np.searchsorted(self.shares, shares, side="right") - 1
+        own = self.shares
+        edge = own.searchsorted(shares, side="right") - 1
         segments, low, high = self._edges
-        passed = (shares - self.shares[edge]) / (self.shares[edge + 1] - self.shares[edge])
+        passed = (shares - own[edge]) / (own[edge + 1] - own[edge])
         segment, parameter = segments[edge], low[edge] + (high - low)[edge] * passed
         return cubics.evaluate(self.contour.segments[segment], parameter), segment, parameter
 

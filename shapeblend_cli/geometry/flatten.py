@@ -31,6 +31,9 @@ COINCIDENT = 1e-9
 """Maximum distance of vertices that are one, as a share of the larger side of the box."""
 
 
+STEPS = np.linspace(0.0, 1.0, cubics.ARC_PIECES + 1)
+"""Parameters up to which the lengths of a segment are known."""
+
 HALVINGS = 40
 """Number of times that the length of a piece is bisected."""
 
@@ -120,7 +123,7 @@ def edge_parts(contour: Contour, polygon: Polygon) -> tuple[IntArray, FloatArray
 
 def _even(counts: IntArray) -> tuple[IntArray, FloatArray]:
     """Return the segment of each piece, and the share of the segment's length at which it begins."""
-    segment = np.repeat(np.arange(len(counts)), counts)
+    segment = np.arange(len(counts)).repeat(counts)
     return segment, numbered(counts) / counts[segment]
 
 
@@ -133,16 +136,17 @@ def _measure(
         parameter = np.where(share > 0.0, _parameters(ladders, segment, share), 0.0)
     else:
         parameter = np.zeros(len(share))
-    last = np.append(segment[1:] != segment[:-1], True)
-    end = np.where(last, 1.0, rolled(parameter, -1))
+    end = rolled(parameter, -1)
+    end[-1] = 1.0
+    end[:-1][segment[1:] != segment[:-1]] = 1.0
     deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))
     return parameter, np.where(contour.straight[segment], 0.0, deviation)
 
 
 def _length_ladders(segments: np.ndarray) -> FloatArray:
     """Return arc lengths from the start of each segment at equal steps of its parameter, (k, pieces + 1)."""
-    ladders = np.zeros((len(segments), cubics.ARC_PIECES + 1))
-    np.cumsum(cubics.arc_lengths(segments), axis=1, out=ladders[:, 1:])
+    ladders = np.zeros((len(segments), len(STEPS)))
+    cubics.arc_lengths(segments).cumsum(axis=1, out=ladders[:, 1:])
     return ladders
 
 
@@ -165,5 +169,5 @@ def _parameters(ladders: FloatArray, segment: IntArray, share: FloatArray) -> Fl
     lift = 2.0 * np.arange(len(ladders))
     totals = np.where(ladders[:, -1:] > 0.0, ladders[:, -1:], 1.0)
     rungs = ladders / totals + lift[:, None]
-    steps = np.linspace(0.0, 1.0, ladders.shape[1]) + lift[:, None]
+    steps = STEPS + lift[:, None]
     return np.interp(share + lift[segment], rungs.ravel(), steps.ravel()) - lift[segment]

@@ -158,8 +158,10 @@ def _cuts_at_nodes(match: ContinuousMatch) -> tuple[FloatArray, BoolArray]:
     cuts = np.concatenate(positions)
     order = np.lexsort((cuts[:, 1], cuts[:, 0]))
     cuts = np.maximum.accumulate(cuts[order], axis=0)
-    cuts = cuts[np.append(True, (np.diff(cuts, axis=0) > 1e-9).any(axis=1))]
-    return cuts, np.stack([a.is_node(cuts[:, 0]), b.is_node(cuts[:, 1])], axis=1)
+    cuts = cuts[np.concatenate([[True], (cuts[1:] - cuts[:-1] > 1e-9).any(axis=1)])]
+    nodes = np.empty(cuts.shape, np.bool_)
+    nodes[:, 0], nodes[:, 1] = a.is_node(cuts[:, 0]), b.is_node(cuts[:, 1])
+    return cuts, nodes
 
 
 def _pairs_to_merge(match: ContinuousMatch, cuts: FloatArray, nodes: BoolArray) -> IntArray:
@@ -200,7 +202,9 @@ def _remedies(
     match: ContinuousMatch, cuts: FloatArray, merged: IntArray, far: FloatArray, distance: float
 ) -> tuple[list[int], list[FloatArray]]:
     """Return the merged pairs to separate, and the cuts to add, so that the curves deviate less."""
-    bad = np.flatnonzero(far > distance)
+    bad = (far > distance).nonzero()[0]
+    if not len(bad):
+        return [], []
     apart: list[int] = []
     more: list[FloatArray] = []
     pieces = match.piece_at(cuts, match.positions[bad])

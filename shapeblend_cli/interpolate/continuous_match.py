@@ -71,7 +71,9 @@ class ContinuousMatch:
         known = self.lengths
         lengths = interpolated(sides[side].length_at(positions), known[side], known[1 - side])
         partners = sides[1 - side].position_at(lengths)
-        return np.stack([positions, partners] if side == 0 else [partners, positions], axis=1)
+        both = np.empty((len(positions), 2))
+        both[:, side], both[:, 1 - side] = positions, partners
+        return both
 
     def piece_at(self, cuts: FloatArray, positions: FloatArray) -> IntArray:
         """Return for each position the number of the piece between cuts on which it lies."""
@@ -92,9 +94,9 @@ def unroll_from_node(a: ContourParameter, b: ContourParameter, dots: IntArray) -
     """Return the solver's dots as rising positions; for closed contours, from A's first node on."""
     if not a.closed:
         return unroll(dots, None)
-    first = int(np.flatnonzero(a.node)[0])
+    first = int(a.node.argmax())
     at_first = dots[:, 0] == first
-    begin = int(np.flatnonzero(at_first & ~rolled(at_first, 1))[0]) if not at_first.all() else 0
+    begin = int((at_first & ~rolled(at_first, 1)).argmax()) if not at_first.all() else 0
     return unroll(rolled(dots, -begin), (a.count, b.count))
 
 
@@ -118,8 +120,8 @@ def _match_corners(
     """Match corners that the solver nearly matched; return the positions, and which of them are corners of both."""
     corner_a, corner_b = a.is_corner(given[:, 0]), b.is_corner(given[:, 1])
     both = corner_a & corner_b
-    single_a = np.flatnonzero(corner_a & ~is_among(given[:, 0], given[both, 0]))
-    single_b = np.flatnonzero(corner_b & ~is_among(given[:, 1], given[both, 1]))
+    single_a = (corner_a & ~is_among(given[:, 0], given[both, 0])).nonzero()[0]
+    single_b = (corner_b & ~is_among(given[:, 1], given[both, 1])).nonzero()[0]
     if not len(single_a) or not len(single_b):
         return given, both
     length_a, length_b = a.length_at(given[:, 0]), b.length_at(given[:, 1])
@@ -160,7 +162,7 @@ def _choose_start(
     """Start a closed match at the best position of B for A's first node."""
     period = np.array([a.count, b.count], np.float64)
     first = positions[0, 0]
-    held = np.flatnonzero((positions[:, 0] == first) & (positions[:, 0] < first + period[0]))
+    held = ((positions[:, 0] == first) & (positions[:, 0] < first + period[0])).nonzero()[0]
     paired = held[anchored[held]]
     if len(paired):
         start = positions[paired[0], 1]
@@ -170,7 +172,7 @@ def _choose_start(
         low, high = b.length_at(positions[held[[0, -1]], 1])
         middle = 0.5 * (low + high)
         start = float(b.position_at(np.array([middle]))[0])
-        nodes = np.flatnonzero(b.node[:-1]).astype(float)
+        nodes = b.node[:-1].nonzero()[0].astype(float)
         nodes = np.concatenate([nodes, nodes + b.count])
         far = np.abs(b.length_at(nodes) - middle)
         if len(nodes) and far.min() <= START_SNAP * b.lengths[-1] / b.count:
@@ -196,11 +198,11 @@ def _holds(
     The sides are 0 for A, 1 for B, 2 for neither. The steps of a run hold the same side; a run ends where a position is
     anchored, or where the advancing contour turns a corner. Given are the corners of A and B among the positions.
     """
-    steps = np.diff(match.positions, axis=0)
+    steps = match.positions[1:] - match.positions[:-1]
     held = np.where(steps[:, 0] == 0.0, 0, np.where(steps[:, 1] == 0.0, 1, 2))
     turns = np.where(held[1:] == 0, corners[1][1:-1], (held[1:] == 1) & corners[0][1:-1])
-    breaks = np.flatnonzero((held[1:] != held[:-1]) | match.fixed[1:-1] | turns) + 1
-    return held, np.append(0, breaks), np.append(breaks, len(held))
+    breaks = ((held[1:] != held[:-1]) | match.fixed[1:-1] | turns).nonzero()[0] + 1
+    return held, np.concatenate([[0], breaks]), np.concatenate([breaks, [len(held)]])
 
 
 def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
@@ -255,8 +257,11 @@ def _remove_stairs(match: ContinuousMatch) -> ContinuousMatch:
     # Vertices of the removed holds stay: without them a curve would become a chord.
     between = []
     for side in (0, 1):
+        gone = np.zeros(len(kept), np.bool_)
         advances = held == 1 - side
-        gone = ~kept & (np.append(advances, False) | np.append(False, advances))
+        gone[:-1] = advances
+        gone[1:] |= advances
+        gone &= ~kept
         between.append(match.with_partners(side, positions[gone, side]))
     return _sort(a, b, np.concatenate([match.positions, *between]), match.fixed)
 
@@ -281,6 +286,6 @@ def _sort(
     a: ContourParameter, b: ContourParameter, positions: FloatArray, fixed: BoolArray
 ) -> ContinuousMatch:
     """Return the match of positions in order, rounding corrected; positions beyond the end of `fixed` are not fixed."""
-    fixed = np.append(fixed, np.zeros(len(positions) - len(fixed), np.bool_))
+    fixed = np.concatenate([fixed, np.zeros(len(positions) - len(fixed), np.bool_)])
     order = np.lexsort((positions[:, 1], positions[:, 0]))
     return ContinuousMatch(a, b, np.maximum.accumulate(positions[order], axis=0), fixed[order])

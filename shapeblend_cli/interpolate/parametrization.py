@@ -105,11 +105,12 @@ def parametrize(contour: Contour, polygon: Polygon) -> ContourParameter:
     segment, start, end = edge_parts(contour, polygon)
     count = len(segment)
     lengths = cumulative_lengths(polygon.line)
-    node = np.append(start == 0.0, True)
+    node = np.ones(count + 1, np.bool_)
+    node[:-1] = start == 0.0
     if closed:
         node[-1] = node[0]
     corner = np.zeros(count + 1, np.bool_)
-    numbers = np.flatnonzero(node[:count])
+    numbers = node[:count].nonzero()[0]
     begin_direction, end_direction = cubics.directions(segments)
     turn = np.angle(begin_direction[segment[numbers]] * end_direction[segment[numbers - 1]].conj())
     corner[numbers] = np.abs(turn) > CORNER
@@ -138,5 +139,5 @@ def is_among(values: NDArray[Any], others: NDArray[Any]) -> BoolArray:
     if not len(others):
         return np.zeros(len(values), np.bool_)
     ranked = np.sort(others)
-    at = np.searchsorted(ranked, values)
+    at = ranked.searchsorted(values)
     return ranked[np.minimum(at, len(ranked) - 1)] == values

@@ -44,7 +44,8 @@ def numbered(counts: IntArray) -> IntArray:
     >>> numbered(np.array([2, 3])).tolist()
     [0, 1, 0, 1, 2]
     """
-    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    ends = counts.cumsum()
+    return np.arange(ends[-1] if len(ends) else 0) - (ends - counts).repeat(counts)
 
 
 def median(values: Any) -> float:

@@ -109,7 +109,7 @@ def align_contours(contours: Sequence[ContourBlend]) -> Alignment:
 
 
 def _adjacent_length(z: ComplexArray, closed: bool) -> FloatArray:
-    edges = np.abs(np.diff(z, append=z[:1] if closed else z[-1:]))
+    edges = np.abs((rolled(z, -1) if closed else np.concatenate([z[1:], z[-1:]])) - z)
     before = rolled(edges, 1)
     if not closed:
         before[0] = 0.0
@@ -151,9 +151,9 @@ class _Terms:
         p, q = a - self.mean_a, b - self.mean_b
         both = p.conj() * q
         squares = p.real**2 + p.imag**2, q.real**2 + q.imag**2
-        self.terms = np.stack(
-            [np.ones(len(a)), p.real, p.imag, q.real, q.imag, *squares, both.real, both.imag]
-        )
+        self.terms = np.ones((9, len(a)))
+        for k, term in enumerate((p.real, p.imag, q.real, q.imag, *squares, both.real, both.imag), 1):
+            self.terms[k] = term
         self.unit = math.sqrt(self.weight @ squares[0]) * math.sqrt(self.weight @ squares[1])
 
     def least_squares(self, weight: FloatArray) -> Alignment:

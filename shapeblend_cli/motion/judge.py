@@ -172,11 +172,12 @@ def outlines_of(shape: ShapeBlend) -> Outlines:
     counts: list[int] = []
     for contour in shape.contours:
         path = contour.start
-        keep = np.stack([np.ones_like(path.straight), ~path.straight], axis=1).ravel()
-        keep = keep if path.closed else np.append(keep, True)
-        first, count = sum(counts), int(keep.sum())
+        keep = np.ones(2 * len(path.straight) + (not path.closed), np.bool_)
+        keep[1 : 2 * len(path.straight) : 2] = ~path.straight
+        first, count = sum(counts), int(np.count_nonzero(keep))
         kept.append(keep)
-        following.append(first + np.append(np.arange(1, count), 0 if path.closed else count - 1))
+        following.append(np.arange(first + 1, first + count + 1))
+        following[-1][-1] = first if path.closed else first + count - 1
         counts.append(count)
     points = points[:, np.concatenate(kept)]
     numbers = np.repeat(np.arange(len(counts)), counts)
@@ -269,8 +270,8 @@ class _Regions:
         self.ends = points[:, outlines.following[outlines.closed]]
         x, y = self.starts.real, self.starts.imag
         left, top = x.min(axis=1), y.min(axis=1)
-        sides = np.stack([left, top, x.max(axis=1) - left, y.max(axis=1) - top], axis=1)
-        self.boxes = [Box(*bounds) for bounds in sides.tolist()]
+        sides = left, top, x.max(axis=1) - left, y.max(axis=1) - top
+        self.boxes = [Box(*bounds) for bounds in zip(*(side.tolist() for side in sides), strict=True)]
         self.own = [self.grid(k, box) if box.larger_side > 0.0 else None for k, box in enumerate(self.boxes)]
 
     def grid(self, k: int, box: Box) -> tuple[IntArray, float]:
@@ -329,14 +330,14 @@ def _limbs(outlines: Outlines, lengths: FloatArray) -> float:
     total = float(lengths[0].sum() + lengths[-1].sum())
     area = 0.0
     for number in range(int(outlines.contour[-1]) + 1):
-        on = np.flatnonzero(outlines.contour == number)
+        on = (outlines.contour == number).nonzero()[0]
         own = lengths[:, on]
         both = 0.5 * float(own[0].sum() + own[-1].sum())
         if len(on) < 8 or both < 0.05 * total or min(own[0].sum(), own[-1].sum()) == 0.0:
             continue
         share = 0.5 * (own[0] / own[0].sum() + own[-1] / own[-1].sum())
-        place = np.concatenate([[0.0], np.cumsum(share)[:-1]])
-        probes = np.minimum(np.searchsorted(place, PLACES), len(on) - 1)
+        place = np.concatenate([[0.0], share.cumsum()[:-1]])
+        probes = np.minimum(place.searchsorted(PLACES), len(on) - 1)
         probes = probes[np.concatenate([[True], probes[1:] > probes[:-1]])]
         area += both * _widths_off(
             outlines.points[:, on[probes]], place[probes], own, bool(outlines.closed[on[0]])
@@ -371,7 +372,7 @@ def _opposite(points: bytes, place: bytes, length: float, closed: bool) -> tuple
     across = np.abs(probes[:, None] - probes)
     width = np.where(along * length > LEAST_ARC * across, across, np.inf)
     opposite = width.argmin(axis=1)
-    probe = np.flatnonzero(width[np.arange(len(places)), opposite] < MOST_CHORD * length)
+    probe = (width[np.arange(len(places)), opposite] < MOST_CHORD * length).nonzero()[0]
     return probe, opposite[probe]
 
 

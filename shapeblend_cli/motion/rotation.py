@@ -194,5 +194,5 @@ def _even(polygon: Polygon) -> tuple[ComplexArray, complex]:
     if not polygon.closed:
         along[-1] = lengths[-1]
     even = points_at(along, polygon.line, lengths)
-    mean = complex(even.mean())
+    mean = complex(even.sum() / SAMPLES)
     return even - mean, mean

@@ -202,7 +202,8 @@ def _axes(polygon: Polygon) -> Iterator[Axis]:
                 yield Axis(along, (0.5,))
             continue
         across = ((outline - middle) * np.conj(along)).imag
-        at = np.flatnonzero((across[:-1] < 0.0) != (across[1:] < 0.0))
+        is_left = across < 0.0
+        at = (is_left[:-1] != is_left[1:]).nonzero()[0]
         met = places[at] + (places[at + 1] - places[at]) * across[at] / (across[at] - across[at + 1])
         few = (2.0 * met[:, None] - even[::EVERY]) % 1.0  # which rule out most places
         met = met[np.abs(points_at(few, outline, places) - images[::EVERY]).max(axis=1) <= tolerance]
@@ -249,7 +250,7 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
     vertices = np.zeros((0, len(parts)), np.intp)
     places = np.zeros((0, len(parts)))
     for part in range(len(parts)):
-        nodes = np.flatnonzero(is_node & within[:, part])
+        nodes = (is_node & within[:, part]).nonzero()[0]
         rows, twins = _twins(places[:, part], shares[nodes, part])
         vertices[rows, part] = nodes[twins]
         places[rows, part] = shares[nodes[twins], part]
@@ -258,7 +259,7 @@ def cut_in_parts(flat: FlatContour, axes: Sequence[Axis]) -> Parts:
         known = _ladder(places[~alone])
         places[alone, part] = np.interp(places[alone, 0], known[:, 0], known[:, part])
         vertices, places = _with_images(vertices, places, np.delete(nodes, twins), part, shares)
-    others = np.flatnonzero(~is_node & within[:, 0])
+    others = (~is_node & within[:, 0]).nonzero()[0]
     taken = np.concatenate([[0.0, 1.0], places[:, 0]])
     away = np.abs(shares[others, 0] - taken[nearest_numbers(taken, shares[others, 0])])
     others = others[away > NEAR / (parts[0].length * len(own))]
@@ -303,8 +304,9 @@ def _with_images(
     rows = np.full((len(new), places.shape[1]), -1, np.intp)
     rows[:, part] = new
     own = shares[new, part]
-    images = np.stack([interpolated(own, known[:, part], column) for column in known.T], axis=1)
-    images[:, part] = own
+    images = np.empty(rows.shape)
+    for other in range(rows.shape[1]):
+        images[:, other] = own if other == part else interpolated(own, known[:, part], known[:, other])
     return np.concatenate([vertices, rows]), np.concatenate([places, images])
 
 
@@ -324,7 +326,7 @@ def _cut(
     """Cut a contour at the ends of parts and at places on each; kept are the numbers of vertices already there."""
     polygon, own = flat.polygon, flat.shares[: len(flat.polygon.vertices)]
     places = np.concatenate([ends, *at])
-    at_ends = [np.flatnonzero(own == end) for end in ends]
+    at_ends = [(own == end).nonzero()[0] for end in ends]
     vertex = np.concatenate([[found[0] if len(found) else -1 for found in at_ends], kept.T.ravel()]).astype(
         np.intp
     )
@@ -341,7 +343,8 @@ def _cut(
         [number[ends.index(end)] for end in some] for some in zip(*(part[:2] for part in parts), strict=True)
     )
     cut = Polygon(points[order], segment[order], parameter[order], polygon.closed)
-    if np.abs(np.diff(cut.line)).min() <= POINT * cut.box.larger_side:
+    line = cut.line
+    if np.abs(line[1:] - line[:-1]).min() <= POINT * cut.box.larger_side:
         raise CutsMeet
     return Parts(
         replace(flat, polygon=cut),
