@@ -88,7 +88,7 @@ def blend_shapes(
     one turned, or its mirror image, may turn as a whole.
     """
     if settings.swap == "always" and not (settings.mix or settings.has_spans):
-        return swapped(a, b, settings, view.centre, ASKED)
+        return swapped(a, b, settings, view, ASKED)
     is_named = bool(settings.match or settings.pins or settings.stiff)
     pens = _pens(a, b, settings, view, progress)
     lines = _lines(a, b, pens, settings, view) if is_named else None
@@ -115,7 +115,7 @@ def blend_shapes(
 
     def swap(shapes: Shapes) -> Shapes:
         if may_swap and pens and not is_swapped(shapes) and _are_too_unlike(a, b, shapes, pens, view):
-            return swapped(a, b, settings, view.centre)
+            return swapped(a, b, settings, view)
         return shapes
 
     def usual() -> Shapes:
@@ -138,7 +138,7 @@ def blend_shapes(
     else:
         shapes = with_details_faded(shapes, view.larger_side)
     if may_swap and _is_hopeless(shapes, IN_ONE_COLOUR if is_of_one_colour else IN_COLOURS, view):
-        return swapped(a, b, settings, view.centre)
+        return swapped(a, b, settings, view)
     return shapes
 
 

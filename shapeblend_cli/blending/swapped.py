@@ -28,8 +28,17 @@ if TYPE_CHECKING:
 
     Shapes = tuple[ShapeBlend, ...]
 
-SHARE = 0.55
-"""Share of the time in which a drawing shrinks away, or grows: half way both are small, and neither is gone."""
+GONE = 0.48
+"""Time at which the first drawing is gone: what leaves is quicker than what comes."""
+
+COMES = 0.42
+"""Time at which the second drawing begins to come: nearly when the first one is gone, else both would be a lump."""
+
+KNOTS = 8
+"""Number of even steps of which the pace of a drawing is made."""
+
+SAME_VIEW = 1e-6
+"""Maximum distance of the sides of two views that are the same, as a share of the larger side."""
 
 MOST_BENT = 1.1
 """Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
@@ -114,9 +123,10 @@ def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
 
 
 def swapped(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, centre: complex, reason: str = SWAPPED
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, reason: str = SWAPPED
 ) -> Shapes:
-    """Return shapes of A that shrink to a point, below shapes of B that grow from it."""
+    """Return shapes of A that shrink to the centre of the view, below shapes of B that grow from it."""
+    centre, is_one_view = view.centre, all(_fills(side, view) for side in (a, b))
 
     def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
         for number, members in groupby(contours, key=lambda contour: contour.shape):
@@ -129,10 +139,36 @@ def swapped(
                 *(styles[::-1] if here else styles),
                 reason=reason,
                 sources=(None, number) if here else (number, None),
-                span=(1.0 - SHARE, 1.0) if here else (0.0, SHARE),
+                pace=_coming(is_one_view) if here else _leaving(is_one_view),
             )
 
     return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
+
+
+def _fills(side: PlacedDrawing, view: Box) -> bool:
+    """Return whether a drawing is seen in all of a view."""
+    if side.drawing.viewbox is None:
+        return False
+    own = side.to_a.box(side.drawing.viewbox)
+    return max(map(abs, np.subtract(own.bounds, view.bounds))) <= SAME_VIEW * view.larger_side
+
+
+def _leaving(is_one_view: bool) -> tuple[tuple[float, float], ...]:
+    """Return the pace of a drawing that shrinks away: ever faster, so that it is large for most of its time.
+
+    In a view that changes it shrinks at least evenly, so that it stays in the picture.
+    """
+    steps = [k / KNOTS for k in range(KNOTS + 1)]
+    shrunk = [step**3 if is_one_view else max(step**3, GONE * step) for step in steps]
+    return (*((GONE * step, share) for step, share in zip(steps, shrunk, strict=True)), (1.0, 1.0))
+
+
+def _coming(is_one_view: bool) -> tuple[tuple[float, float], ...]:
+    """Return the pace of a drawing that grows: ever slower."""
+    times = [COMES + (1.0 - COMES) * k / KNOTS for k in range(KNOTS + 1)]
+    grown = [1.0 - ((1.0 - t) / (1.0 - COMES)) ** 3 for t in times]
+    shares = grown if is_one_view else [min(share, t) for share, t in zip(grown, times, strict=True)]
+    return ((0.0, 0.0), *zip(times, shares, strict=True))
 
 
 def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:

@@ -149,12 +149,12 @@ def _pace(
 ) -> tuple[tuple[float, float], ...]:
     begin, until = shape.span
     whole = shape._replace(span=WHOLE, pace=tuple(knots))
-    if each:
+    if each and not shape.pace:
         inner = [(begin + t * (until - begin), share) for t, share in knots]
         return (*([(0.0, 0.0)] if begin > 0.0 else []), *inner, *([(1.0, 1.0)] if until < 1.0 else []))
-    if shape.span == WHOLE:
+    if shape.span == WHOLE and not shape.pace:
         return whole.pace
-    times = [0.0, *whole.times_of(shape.span), 1.0]
+    times = [0.0, *whole.times_of([t for t, _ in shape.pace] or shape.span), 1.0]
     return tuple((t, shape.own_time(whole.own_time(t))) for t in times)
 
 

@@ -10,7 +10,6 @@ from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swapped import (
     ASKED,
     IN_COLOURS,
-    SHARE,
     SWAPPED,
     UNUSABLE,
     Doubts,
@@ -18,7 +17,10 @@ from shapeblend_cli.blending.swapped import (
     is_swapped,
 )
 from shapeblend_cli.cli import run
+from shapeblend_cli.frames.stagger import eased
 from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import control_box
+from shapeblend_cli.paint.styles import shape_styles
 
 ICONS = Path("docs/icons")
 COPY, CHECK = "copy.svg", "check.svg"
@@ -88,17 +90,54 @@ def test_each_drawing_keeps_its_form_and_the_weight_of_its_lines_in_proportion()
     for t in (0.1, 0.3, 0.5, 0.7, 0.9):
         for shape in pair.shapes:
             is_new = shape.sources[0] is None
-            scale = max(1.0 - (1.0 - t if is_new else t) / SHARE, 0.0)
+            own = shape.own_time(t)
+            scale = own if is_new else 1.0 - own
             (there,) = paths_at(shape, float(is_new))
             (here,) = paths_at(shape, t)
             expected = centre + scale * (there.segments - centre)
             assert here.segments == pytest.approx(expected, abs=1e-9)
+            drawn = shape_styles(shape, t)[0].stroke_width
+            assert drawn == pytest.approx(scale * max(shape.style_a.stroke_width, shape.style_b.stroke_width))
 
 
-def test_both_are_small_half_way_and_neither_is_gone():
+def sizes_at(pair, t):
+    """Return the sizes of what leaves and of what comes, as shares of their own."""
+    own = {shape.sources[0] is None: shape.own_time(t) for shape in pair.shapes}
+    return 1.0 - own[False], own[True]
+
+
+def test_one_of_both_is_large_nearly_all_the_time_and_never_both():
     (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}").pairs
-    sizes = [np.ptp(paths_at(shape, 0.5)[0].segments.real) for shape in pair.shapes]
-    assert all(0.5 < size < 2.5 for size in sizes), "in a view of 24"
+    sizes = [sizes_at(pair, t) for t in np.linspace(0.0, 1.0, 101)]
+    assert sizes[0] == (1.0, 0.0)
+    assert sizes[-1] == (0.0, 1.0)
+    assert sum(max(both) < 0.3 for both in sizes) <= 10, "in a tenth of the time"
+    assert max(map(min, sizes)) < 0.15, "both together would be a lump"
+    assert max(sizes[50]) > 0.3, "half way there is something to see"
+
+
+def test_what_grows_into_a_wider_view_stays_in_it(tmp_path):
+    narrow = tmp_path / "narrow.svg"
+    narrow.write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 12 24"><path d="M2 8L6 12L10 8L6 4Z"/></svg>'
+    )
+    (pair,) = sb.blend(narrow, ICONS / "lucide" / "sun.svg", swap="always").pairs
+    for t in np.linspace(0.0, 1.0, 33):
+        view = pair.views[0].interpolate(pair.views[1], t)
+        for shape in pair.shapes:
+            box = control_box(paths_at(shape, t))
+            assert view.expanded(1e-6).contains(box)
+
+
+@pytest.mark.parametrize("each", [False, True])
+def test_an_easing_comes_on_top_of_the_pace(each):
+    (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}").pairs
+    knots = (0.0, 0.0), (0.5, 0.2), (1.0, 1.0)
+    changed = eased(pair, knots, each=each)
+    for shape, plain in zip(changed.shapes, pair.shapes, strict=True):
+        for t in np.linspace(0.0, 1.0, 41):
+            there = np.interp(t, *zip(*knots, strict=True))
+            assert shape.own_time(t) == pytest.approx(plain.own_time(there))
 
 
 def test_it_is_told_once_with_the_way_out_and_not_if_asked_for(tmp_path, monkeypatch, capsys):
