@@ -31,8 +31,11 @@ REACH = 0.03
 MOSTLY = 0.7
 """Minimum share of the nodes of a part in an outline of which it is a part, as a tongue is one of the mouth."""
 
-GONE = 0.4
-"""Time at which parts that leave are gone. Parts that come begin then and take as long, lest a body be bare."""
+LEAVES = (0.15, 0.4)
+"""Times at which parts that leave begin to fade, and are gone: half transparent ones are seen for a short time only."""
+
+COMES = (0.4, 0.65)
+"""Times at which parts that come begin to appear, when others are gone, lest a body be bare, and are there."""
 
 AFFORDABLE = 100
 """Maximum number of shapes of a blend whose parts are looked at."""
@@ -187,7 +190,7 @@ def _faded(shapes: Sequence[ShapeBlend], part: _Part, body: _Body) -> ShapeBlend
         motion=Rigid(body.motion.alignments * len(contours)) if isinstance(body.motion, Rigid) else None,
         reason=FADES,
         span=WHOLE,
-        fade=Fade(GONE, 2.0 * GONE, comes=True) if part.end else Fade(0.0, GONE, comes=False),
+        fade=Fade(*COMES, comes=True) if part.end else Fade(*LEAVES, comes=False),
     )
 
 

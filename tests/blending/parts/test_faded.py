@@ -28,19 +28,20 @@ def part(pair, t, colour="#224488"):
 
 def test_a_large_part_that_leaves_keeps_its_size_and_fades():
     pair = blend(ROUND + PLATE, TALL)
-    (first, opaque), (later, faint) = part(pair, 0.0), part(pair, 0.2)
+    (first, opaque), (later, faint) = part(pair, 0.0), part(pair, 0.275)
     assert (opaque, first.width) == (1.0, 28.0)
     assert faint == pytest.approx(0.5)
     assert later.width > 0.8 * first.width
-    assert part(pair, 0.5)[1] == 0.0
+    assert part(pair, 0.15)[1] == pytest.approx(1.0)
+    assert part(pair, 0.4)[1] == pytest.approx(0.0)
     assert pair.shapes[1].reason == FADES
 
 
 def test_a_large_part_that_comes_begins_when_others_are_gone():
     pair = blend(TALL, ROUND + PLATE)
     assert part(pair, 0.4)[1] == 0.0
-    assert part(pair, 0.6)[1] == pytest.approx(0.5)
-    assert part(pair, 0.8)[1] == pytest.approx(1.0)
+    assert part(pair, 0.525)[1] == pytest.approx(0.5)
+    assert part(pair, 0.65)[1] == pytest.approx(1.0)
     assert part(pair, 1.0)[1] == 1.0
 
 
@@ -52,7 +53,7 @@ def test_it_goes_along_with_its_body():
 
 def test_what_lies_on_such_a_part_fades_with_it():
     dot = '<path fill="#ffffff" d="M30 30H34V34H30Z"/>'
-    box, opacity = part(blend(ROUND + PLATE + dot, TALL), 0.2, "#ffffff")
+    box, opacity = part(blend(ROUND + PLATE + dot, TALL), 0.275, "#ffffff")
     assert opacity == pytest.approx(0.5)
     assert box.width > 3.0
 
