@@ -3,7 +3,7 @@
 https://www.w3.org/TR/css-color-4/#interpolation
 
 Half way between colours of different hues OKLab has a grey, brown or olive, and people see mud. OKLCh keeps the chroma,
-but passes through all hues between: a rainbow. A third of the way from the former to the latter is neither.
+but passes through all hues between: a rainbow. A part of the way from the former to the latter is neither.
 """
 
 from __future__ import annotations
@@ -23,8 +23,11 @@ STEPS = 3
 """Maximum difference of colours that look alike all the same, in 255ths of each channel: near black these are up to a
 delta E OK of 0.07."""
 
-VIVIDNESS = 1.0 / 3.0
-"""Share of the way from colours in OKLab to colours in OKLCh."""
+VIVIDNESS = (1.0 / 3.0, 0.7)
+"""Shares of the way from colours in OKLab to colours in OKLCh, where one of both ends is pale, and where none is."""
+
+PALE = (0.05, 0.11)
+"""Chromas of a pale colour, and of one that is not: between pale colours another hue is seen as foreign."""
 
 _MOST_GAPS = 16
 _PROBES = 8
@@ -91,8 +94,10 @@ def _mixed(a: tuple[float, ...], b: tuple[float, ...], share: float) -> list[flo
     if low > 0.0:
         chroma = (1.0 - share) * abs(p) + share * abs(q)
         turned = cmath.rect(chroma, cmath.phase(p) + share * cmath.phase(q / p))
+        strength = min(max((low - PALE[0]) / (PALE[1] - PALE[0]), 0.0), 1.0)
+        vividness = VIVIDNESS[0] + strength * (VIVIDNESS[1] - VIVIDNESS[0])
         # The hue of a colour that is nearly grey means little.
-        mixed += VIVIDNESS * min(1.0, 2.0 * low / high) * (turned - mixed)
+        mixed += vividness * min(1.0, 2.0 * low / high) * (turned - mixed)
     return [lightness, mixed.real, mixed.imag]
 
 

@@ -2,12 +2,21 @@
 
 import re
 
+import numpy as np
 import pytest
 from coloraide import Color
 from hypothesis import given
 from hypothesis import strategies as st
 
-from shapeblend_cli.paint.oklab import STEPS, TOLERANCE, blend_colours, blend_in_srgb, colour_stops
+from shapeblend_cli.paint.oklab import (
+    PALE,
+    STEPS,
+    TOLERANCE,
+    VIVIDNESS,
+    blend_colours,
+    blend_in_srgb,
+    colour_stops,
+)
 
 colours = st.integers(0, 0xFFFFFF).map("#{:06x}".format)
 greys = st.integers(0, 0xFF).map(lambda v: f"#{v:02x}{v:02x}{v:02x}")
@@ -20,16 +29,17 @@ def channels(colour):
 
 
 def less_dull(a, b, t):
-    """What coloraide mixes in OKLab, and a third of the way from there to what it mixes in OKLCh."""
+    """What coloraide mixes in OKLab, and a part of the way from there to what it mixes in OKLCh."""
     chroma = sorted(Color(colour).convert("oklch")["chroma"] for colour in (a, b))
-    share = min(1.0, 2.0 * chroma[0] / chroma[1]) / 3.0 if chroma[0] > 1e-4 else 0.0
+    most = np.interp(chroma[0], PALE, VIVIDNESS)
+    share = min(1.0, 2.0 * chroma[0] / chroma[1]) * most if chroma[0] > 1e-4 else 0.0
     dull, vivid = (Color(a).mix(b, t, space=space).convert("oklab") for space in ("oklab", "oklch"))
     return dull.mix(vivid, share, space="oklab").convert("srgb").clip()
 
 
 def test_halfway_between_red_and_blue():
     # CSS's color-mix(in oklab, red, blue) is #8c53a2: https://facelessuser.github.io/coloraide/interpolation/
-    assert blend_colours("#ff0000", "#0000ff", 0.5) == "#9d40ad"
+    assert blend_colours("#ff0000", "#0000ff", 0.5) == "#ad19b8"
     assert blend_in_srgb("#ff0000", "#0000ff", 0.5) == "#800080"
 
 
@@ -81,7 +91,7 @@ def test_straight_from_stop_to_stop_nobody_sees_the_difference(a, b):
     [
         ("#123456", "#123456", 2),
         ("#102030", "#405060", 2),
-        ("#ff0000", "#0000ff", 6),
+        ("#ff0000", "#0000ff", 7),
         ("#000000", "#ffffff", 9),
     ],
 )
