@@ -148,7 +148,13 @@ def _share_of_b(t: float, opacity_a: float, opacity_b: float) -> float:
 
 def _is_near(a: str, b: str) -> bool:
     steps = max(abs(p - q) for p, q in zip(bytes.fromhex(a[1:]), bytes.fromhex(b[1:]), strict=True))
-    return steps <= STEPS or math.dist(_oklab(a), _oklab(b)) <= TOLERANCE
+    return steps <= STEPS or difference(a, b) <= TOLERANCE
+
+
+def difference(a: str, b: str, lightness: float = 1.0) -> float:
+    """Return the difference of two colours in OKLab, with a weight of lightness: delta E OK if that is 1."""
+    p, q = _oklab(_seen(a)), _oklab(_seen(b))
+    return math.dist((lightness * p[0], *p[1:]), (lightness * q[0], *q[1:]))
 
 
 def _is_grey(colour: str) -> bool:

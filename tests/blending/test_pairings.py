@@ -82,3 +82,28 @@ def test_parts_of_one_paint_become_each_other_if_that_looks_better():
     opened = folder("M4 8h14l4 4h20v28H4z", "M12 18h34L40 40H8z")
     assert partners(pair_of(shut, opened)) == {(0, 0), (1, 1)}
     assert partners(pair_of(opened, shut)) == {(0, 0), (1, 1)}
+
+
+@pytest.mark.parametrize(
+    ("colour", "there", "worse", "is_alone"),
+    [
+        ("#5dadec", "M33 42h14v10h-14z", 0.0, True),
+        ("#5dadec", "M33 42h14v10h-14z", 0.2, True),
+        ("#5dadec", "M33 42h14v10h-14z", 0.5, False),
+        ("#5dadec", "M22 32h14v10h-14z", 0.0, False),  # where it was, in part
+        ("#ff6070", "M33 42h14v10h-14z", 0.0, False),  # about as red
+    ],
+)
+def test_what_would_stray_to_something_of_another_colour_is_rather_alone(
+    monkeypatch, colour, there, worse, is_alone
+):
+    def grade(shapes, view):
+        return 2.0 - worse * sum(contour.is_matched for shape in shapes for contour in shape.contours)
+
+    ends = [
+        drawing(f'<path fill="#ffdc5d" d="{body}"/><path fill="{paint}" d="{part}"/>', viewbox="0 0 64 64")
+        for body, paint, part in ((HAND, "#dd2e44", "M18 30h14v10h-14z"), (FIST, colour, there))
+    ]
+    monkeypatch.setattr(pairings, "grade_of_shapes", grade)
+    for pair in (ends, ends[::-1]):
+        assert partners(pair_of(*pair)) == ({(0, 0)} if is_alone else {(0, 0), (1, 1)})
