@@ -64,14 +64,17 @@ OTHER = 0.2
 SHADE = 0.15
 """Minimum difference of the colours of a part that strays far."""
 
-UNLIKE = 0.5
+UNLIKE = 0.6
 """Minimum difference of the colours of a part that strays in its place, in delta E OK."""
 
-BENT = 0.1
-"""Minimum fault of the outlines of a part that becomes another in its place."""
+BENT = 0.08
+"""Minimum fault of the outlines of a part that becomes another in its place, or near it: noses differ in colour."""
 
 TORN = 0.15
 """Minimum fault of the outlines of a part that strays far to become another of about its colour."""
+
+NEAR = 0.9
+"""Maximum distance that a part goes that stays near its place, in sizes of it."""
 
 FAR = 1.0
 """Minimum distance that a part goes that strays far, in sizes of it."""
@@ -218,7 +221,8 @@ def _is_stray(shape: ShapeBlend, contour: ContourBlend, size: float) -> bool:
     other = difference(shape.style_a.fill, shape.style_b.fill, LIGHTNESS)
     way = abs(here.centre - there.centre) / max(here.larger_side, there.larger_side)
     is_torn = wrong > TORN and way > (FAR if apart > ALIKE else FARTHEST)
-    return is_torn or other > OTHER or (other > SHADE and way > FAR)
+    is_other = other > OTHER and (way > NEAR or wrong > BENT)
+    return is_torn or is_other or (other > SHADE and way > FAR)
 
 
 def partners_in(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
