@@ -15,7 +15,7 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.model import Box
-from shapeblend_cli.paint.oklab import difference
+from shapeblend_cli.paint.oklab import difference, lightness
 from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates, assign
 from shapeblend_cli.pairing.riders import riders
 
@@ -56,7 +56,10 @@ MOST_STRAY = 0.6
 """Maximum size of a part that strays to where no part of it was, in sizes of the largest one with a partner."""
 
 LIGHTNESS = 0.5
-"""Weight of lightness in the colours of a part that strays: an eye that gets black is still one."""
+"""Weight of lightness in the colours of a part that strays: what gets darker may still be the same."""
+
+DARK = 0.4
+"""Maximum lightness of colours that are all as good as black: eyes stay eyes."""
 
 OTHER = 0.2
 """Minimum difference of the colours of a part that strays to where no part of it was."""
@@ -209,16 +212,18 @@ def _is_stray(shape: ShapeBlend, contour: ContourBlend, size: float) -> bool:
 
     The size is that of the shape, in sizes of the largest one.
     """
-    if None in (shape.style_a.fill, shape.style_b.fill):
+    first, last = shape.style_a.fill, shape.style_b.fill
+    if first is None or last is None:
         return False
     here, there = contour.polygon_a.box, contour.polygon_b.box
-    apart = difference(shape.style_a.fill, shape.style_b.fill)
+    apart = difference(first, last)
     wrong = shape.taken.wrong if shape.taken is not None else 0.0
     if here.overlaps(there):
         return apart > UNLIKE and wrong > BENT
     if size > MOST_STRAY:
         return False
-    other = difference(shape.style_a.fill, shape.style_b.fill, LIGHTNESS)
+    are_dark = max(lightness(first), lightness(last)) <= DARK
+    other = 0.0 if are_dark else difference(first, last, LIGHTNESS)
     way = abs(here.centre - there.centre) / max(here.larger_side, there.larger_side)
     is_torn = wrong > TORN and way > (FAR if apart > ALIKE else FARTHEST)
     is_other = other > OTHER and (way > NEAR or wrong > BENT)

@@ -29,10 +29,10 @@ if TYPE_CHECKING:
     Shapes = tuple[ShapeBlend, ...]
 
 GONE = 0.48
-"""Time at which the first drawing is gone: what leaves is quicker than what comes."""
+"""Time at which the drawing that leaves is gone: it is quicker than the one that comes."""
 
 COMES = 0.42
-"""Time at which the second drawing begins to come: nearly when the first one is gone, else both would be a lump."""
+"""Time at which a drawing begins to come: nearly when the other one is gone, else both would be a lump."""
 
 KNOTS = 8
 """Number of even steps of which the pace of a drawing is made."""

@@ -157,6 +157,11 @@ def difference(a: str, b: str, lightness: float = 1.0) -> float:
     return math.dist((lightness * p[0], *p[1:]), (lightness * q[0], *q[1:]))
 
 
+def lightness(colour: str) -> float:
+    """Return the lightness of a colour in OKLab, from 0 to 1."""
+    return _oklab(_seen(colour))[0]
+
+
 def _is_grey(colour: str) -> bool:
     return colour[1:3] == colour[3:5] == colour[5:7]
 

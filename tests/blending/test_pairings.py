@@ -107,3 +107,15 @@ def test_what_would_stray_to_something_of_another_colour_is_rather_alone(
     monkeypatch.setattr(pairings, "grade_of_shapes", grade)
     for pair in (ends, ends[::-1]):
         assert partners(pair_of(*pair)) == ({(0, 0)} if is_alone else {(0, 0), (1, 1)})
+
+
+def test_dark_parts_stay_what_they_are(monkeypatch):
+    ends = [
+        drawing(f'<path fill="#ffdc5d" d="{body}"/><path fill="{eye}" d="{part}"/>', viewbox="0 0 64 64")
+        for body, eye, part in (
+            (HAND, "#000000", "M18 30h10v10h-10z"),
+            (FIST, "#31373d", "M33 42h10v10h-10z"),
+        )
+    ]
+    monkeypatch.setattr(pairings, "grade_of_shapes", lambda shapes, view: 1.0)
+    assert partners(pair_of(*ends)) == {(0, 0), (1, 1)}
