@@ -10,6 +10,7 @@ import pytest
 from shapeblend_cli.cli import run
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.options import OutputOptions, specify
+from shapeblend_cli.paint.oklab import blend_colours
 from tests.outputs.blends import AB, BLENDS, OPTIONS, each_blend, emitted
 from tests.support.commands import points as read_points
 from tests.support.commands import write
@@ -27,15 +28,11 @@ def emit_pair(blend, *options):
 
 
 def mixed(a, b, t):
-    """What a program shows that goes evenly from number to number, in numbers and colours."""
+    """What a program shows that goes evenly from number to number, and mixes colours as frames do."""
 
     def between(value, target):
-        if value.startswith("#"):
-            channels = (
-                round((1 - t) * x + t * y)
-                for x, y in zip(bytes.fromhex(value[1:]), bytes.fromhex(target[1:]), strict=True)
-            )
-            return "#" + bytes(channels).hex()
+        if value.startswith("#"):  # each program mixes them in its own way
+            return blend_colours(value, target, t)
         if not NUMBER.search(value):
             return target if t >= 0.5 else value
         pairs = iter(zip(map(float, NUMBER.findall(value)), map(float, NUMBER.findall(target)), strict=True))
