@@ -23,7 +23,7 @@ STEPS = 3
 """Maximum difference of colours that look alike all the same, in 255ths of each channel: near black these are up to a
 delta E OK of 0.07."""
 
-VIVIDNESS = (1.0 / 3.0, 0.7)
+VIVIDNESS = (1.0 / 3.0, 2.0 / 3.0)
 """Shares of the way from colours in OKLab to colours in OKLCh, where one of both ends is pale, and where none is."""
 
 PALE = (0.05, 0.11)

@@ -47,7 +47,7 @@ def test_frames_at_the_ends_are_the_polygons_of_the_inputs(here):
         np.testing.assert_allclose(points(path.get("d")), vertices[dots[:, side]], atol=1e-4)
         assert path.get("fill") == fill
     middle = path_of(here / "out/frame-2.svg")
-    assert middle.get("fill") == "#ad19b8"
+    assert middle.get("fill") == "#ac1eb7"
     ends = [points(path_of(here / f"out/frame-{k}.svg").get("d")) for k in (1, 3)]
     np.testing.assert_allclose(points(middle.get("d")), sum(ends) / 2, atol=1e-4)
 

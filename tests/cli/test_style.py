@@ -32,7 +32,7 @@ def frame(number, *options):
 @pytest.mark.parametrize(
     ("options", "fills", "strokes"),
     [
-        ([], ["#ff0000", "#ad19b8", "#0000ff"], ["none", "0.5", "1"]),
+        ([], ["#ff0000", "#ac1eb7", "#0000ff"], ["none", "0.5", "1"]),
         (["--style", "a"], ["#ff0000"] * 3, ["none"] * 3),
         (["--style", "b"], ["#0000ff"] * 3, ["1"] * 3),
     ],
