@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, LINE, PlacedContour
@@ -20,6 +21,12 @@ if TYPE_CHECKING:
     from shapeblend_cli.options.settings import Settings
 
     Numbers = tuple[int, int]
+
+MOST_HOLES = 12
+"""Maximum number of holes that are looked through for those that pass through each other."""
+
+PASSING_TIMES = tuple(k / 8 for k in range(9))
+"""Times at which that is looked up."""
 
 
 def pair_contours(
@@ -61,7 +68,7 @@ def pair_contours(
         pairs = [(a[i], b[j]) for i, j in pairing.partner.items()]
         if settings.unmatched != "point":
             pairs = _with_pieces(a, b, pairs, fixed, dict(required), settings)
-    return sorted(pairs, key=lambda pair: pair[0].number)
+    return sorted(_without_passing(pairs, fixed), key=lambda pair: pair[0].number)
 
 
 def pair_rotated_contours(
@@ -99,6 +106,30 @@ def rotated_back(
 def _middles(a: Sequence[PlacedContour], b: Sequence[PlacedContour]) -> tuple[complex, complex]:
     in_a, in_b = (complex(max(side, key=lambda c: c.size).polygon.vertices.mean()) for side in (a, b))
     return in_a, in_b
+
+
+def _without_passing(pairs: Sequence[ContourPair], fixed: dict[int, int]) -> list[ContourPair]:
+    """Exchange the partners of holes in one contour that would pass through each other, if they do not then.
+
+    Where holes overlap the contour would be seen again, as a black spot where the dot of an i goes through its stem.
+    """
+    found = list(pairs)
+    holes = [k for k, (p, _) in enumerate(pairs) if p.role == HOLE and p.number not in fixed]
+    for i, k in combinations(holes if len(holes) <= MOST_HOLES else (), 2):
+        (p, q), (r, s) = found[i], found[k]
+        are_together = (p.exterior, q.exterior) == (r.exterior, s.exterior)
+        if are_together and _pass((p, q), (r, s)) and not _pass((p, s), (r, q)):
+            found[i], found[k] = (p, s), (r, q)
+    return found
+
+
+def _pass(one: ContourPair, other: ContourPair) -> bool:
+    """Return whether two contours that are apart in both drawings overlap on their way, by their boxes."""
+    start, *between, end = (
+        one[0].box.interpolate(one[1].box, t).overlaps(other[0].box.interpolate(other[1].box, t))
+        for t in PASSING_TIMES
+    )
+    return any(between) and not (start or end)
 
 
 def _with_pieces(

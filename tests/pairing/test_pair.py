@@ -171,6 +171,16 @@ def test_required_pairs_win():
     assert pairs(RINGS, RINGS, [(1, 3)]) == [(0, 2), (1, 3), (2, 0), (3, 1)]
 
 
+@pytest.mark.parametrize(("dot", "expected"), [(11, [(1, 1), (2, 2)]), (15, [(1, 2), (2, 1)])])
+def test_the_dot_of_a_letter_that_is_cut_out_does_not_pass_through_its_stem(dot, expected):
+    letter, mark = (
+        f"M2 2H22V22H2Z M{dots} {y}h2v{height}h-2Z M{stems} {low}h2v{rest}h-2Z"
+        for dots, y, height, stems, low, rest in ((dot, 5, 2, 11, 9, 9), (11, 5, 9, dot, 16, 2))
+    )
+    assert pairs(letter, mark) == [(0, 0), *expected]
+    assert pairs(letter, mark, [(1, 2)]) == [(0, 0), (1, 2), (2, 1)], "if it has to"
+
+
 @pytest.mark.parametrize(
     ("a", "b", "required", "message"),
     [
