@@ -72,6 +72,9 @@ removed. Of 180 icons crossed out the worst has 0.40; of 1,600 other pairs those
 CLEAN = 0.02
 """The same where nearly all of the drawing is on one side, as of some fans of wireless signs."""
 
+LEAST_STAYING = 0.4
+"""Minimum share of a drawing that is still painted when it is crossed out: a pencil crosses no bin out."""
+
 STRAY_WEIGHT = 2.0
 """Weight of what else is added and removed, as a share of the drawing."""
 
@@ -154,6 +157,8 @@ def _is_crossed_out(before: BoolArray, after: BoolArray, least: float, most: flo
 
     `least` and `most` limit the length of the bar.
     """
+    if (before & after).sum() < LEAST_STAYING * before.sum():
+        return False
     is_bar, firsts, beyonds = _bars(before, after, least)
     is_bar &= beyonds - firsts <= most
     borders = np.flatnonzero(np.diff(np.concatenate([[False], is_bar, [False]]).astype(np.int8)))

@@ -151,6 +151,7 @@ def test_a_drawing_that_is_crossed_out_stays_whatever_it_is_cut_into(backwards):
         ["M2 11H22V13H2Z", "M5 2H19V10H5Z", "M5 14H19V22L12 18L5 22Z"],  # level: a bar of the drawing
         [PARTS[0], "M2 2H22V22H2Z"],  # something else behind the slash
         ["M9 7L9.7 6.3L16 12.6L15.3 13.3Z", BOOKMARK],  # too short
+        ["M2.2 4.4L4.4 2.2L21.8 19.6L19.6 21.8Z"],  # nothing stays
     ],
 )
 def test_other_bars_cross_nothing_out(parts):
