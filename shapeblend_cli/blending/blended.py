@@ -5,8 +5,6 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
@@ -77,6 +75,12 @@ DETAILED = 4.6
 
 MARGIN = 0.8
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
+
+FAILS = 1.45
+"""Minimum grade of a blend by lines that is likely to be sent back."""
+
+LESS = 0.4
+"""Minimum advantage of outlines that are not sent back over such lines, in grades."""
 
 
 def blend_shapes(
@@ -229,27 +233,8 @@ def _by_lines_or_outlines(
 
     `swap` returns a blend, or one in which the drawings take each other's place.
     """
-
-    def outlined(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> Shapes:
-        plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
-        if plates:
-            solid = [without_inlays(drawing, plates, side) for side, drawing in enumerate((a, b))]
-            paired = pair_drawings(solid[0], solid[1], settings, 0.0, progress)
-            inlaid = with_inlays(_blended(paired, view), plates, view)
-            if inlaid is not None:
-                return tuple(inlaid)
-        sides = with_outlines(a, b, settings, view)
-        contours = [*sides[0].contours, *sides[1].contours]
-        works: dict[tuple[int, int], float] = progress.once("works", contours, len(sides[0].contours), dict)
-        paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
-        shapes = move(paired)
-        if _is_free(settings):
-            paired, shapes = with_better_pairs(paired, shapes, move, view, works)
-            paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=not is_sign)
-        return _with_bodies(paired, shapes, view)
-
-    move = partial(_blended, view=view)
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
+    outlined = partial(_by_outlines, view=view, progress=progress, may_cut=not is_sign)
 
     def paced(shapes: Shapes, kept: float = 1.0, *, by_size: bool = True) -> Shapes:
         if not _is_free(settings):
@@ -266,15 +251,49 @@ def _by_lines_or_outlines(
         shapes = (*paced(solid, lines.kept, by_size=by_size), *lines.shapes)
         return carried_by_lines(shapes) if _is_free(settings) else shapes
 
-    if lines.is_sure:
+    if lines.is_sure and not _may_fail(lines, settings):
+        return together(by_size=True)
+    # Parts that are gone early would hide from the judge what becomes of them.
+    plain = together(by_size=False)
+    grade = grade_of_shapes(tuple(map(_in_full_width, plain)), view)
+    if lines.is_sure and grade < FAILS:
         return together(by_size=True)
     outlines = outlined(a, b, settings)
-    # Parts that are gone early would hide from the judge what becomes of them.
-    plain = paced(outlines, by_size=False), swap(together(by_size=False))
-    grades = [grade_of_shapes(shapes, view) for shapes in plain]
-    if grades[0] < grades[1] - MARGIN:
+    other = grade_of_shapes(paced(outlines, by_size=False), view)
+    if other < grade - (LESS if grade >= FAILS and other < LEAST_SENT_BACK else MARGIN):
         return paced(outlines)
-    return plain[1] if is_swapped(plain[1]) else together(by_size=True)
+    if not lines.is_sure and is_swapped(given_way := swap(plain)):
+        return given_way
+    return together(by_size=True)
+
+
+def _by_outlines(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, *, may_cut: bool
+) -> Shapes:
+    """Blend two drawings by their outlines, of which some may be cut, and by the lines that are cut out of plates."""
+    move = partial(_blended, view=view)
+    plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
+    if plates:
+        solid = [without_inlays(drawing, plates, side) for side, drawing in enumerate((a, b))]
+        paired = pair_drawings(solid[0], solid[1], settings, 0.0, progress)
+        inlaid = with_inlays(move(paired), plates, view)
+        if inlaid is not None:
+            return tuple(inlaid)
+    sides = with_outlines(a, b, settings, view)
+    contours = [*sides[0].contours, *sides[1].contours]
+    works: dict[tuple[int, int], float] = progress.once("works", contours, len(sides[0].contours), dict)
+    paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
+    shapes = move(paired)
+    if _is_free(settings):
+        paired, shapes = with_better_pairs(paired, shapes, move, view, works)
+        paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=may_cut)
+    return _with_bodies(paired, shapes, view)
+
+
+def _may_fail(lines: LineBlend, settings: Settings) -> bool:
+    """Return whether lines that are all of two drawings may be left for outlines: little of them stays."""
+    is_named = settings.match or settings.pins or settings.stiff
+    return lines.kept < KEPT and _is_free(settings) and settings.strokes == "auto" and not is_named
 
 
 def _are_too_unlike(
@@ -282,17 +301,14 @@ def _are_too_unlike(
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
-    if any(shape.style_a.stroke_width == 0.0 or shape.style_b.stroke_width == 0.0 for shape in shapes):
-        shapes = tuple(map(_in_full_width, shapes))  # the judge takes thin lines for spikes
+    shapes = tuple(map(_in_full_width, shapes))
     if min(first.share, last.share) >= MOSTLY:
-        bent = most_bent(shapes)
-        if bent >= CURVED and grade_of_shapes(shapes, view) >= UNUSABLE - PER_RADIAN * bent:
+        bent, grade = most_bent(shapes), grade_of_shapes(shapes, view)
+        if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
             return True
-    if min(first.share, last.share) >= ALL:
-        least = least_grade(shapes)
-        if least == np.inf or is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
-            return False
-        return grade_of_shapes(shapes, view) >= least
+        if min(first.share, last.share) >= ALL:
+            are_alike = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
+            return not are_alike and grade >= least_grade(shapes)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
@@ -302,10 +318,11 @@ def _are_too_unlike(
 
 
 def _in_full_width(shape: ShapeBlend) -> ShapeBlend:
-    """Return a line that does not thicken as it comes, nor thin as it goes."""
-    if not shape.style_a.stroke_width:
-        return shape._replace(style_a=shape.style_b)
-    return shape if shape.style_b.stroke_width else shape._replace(style_b=shape.style_a)
+    """Return a line that does not thicken as it comes, nor thin as it goes: the judge takes it for a spike."""
+    if bool(shape.style_a.stroke_width) == bool(shape.style_b.stroke_width):
+        return shape
+    whole = shape.style_a if shape.style_a.stroke_width else shape.style_b
+    return shape._replace(style_a=whole, style_b=whole)
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
