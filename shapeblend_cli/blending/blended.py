@@ -26,14 +26,18 @@ from shapeblend_cli.blending.swapped import (
     IN_COLOURS,
     IN_ONE_COLOUR,
     LEAST_SENT_BACK,
+    MOST_LOOSE,
+    PER_LOOSE_END,
     PER_RADIAN,
     SENT_BACK,
+    TORN,
     UNUSABLE,
     Doubts,
     doubts_about,
     is_covered,
     is_swapped,
     least_grade,
+    loose_ends,
     most_bent,
     swapped,
 )
@@ -306,8 +310,10 @@ def _are_too_unlike(
         bent, grade = most_bent(shapes), grade_of_shapes(shapes, view)
         if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
             return True
+        are_alike = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
+        if not are_alike and _is_torn(shapes, grade):
+            return True
         if min(first.share, last.share) >= ALL:
-            are_alike = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
             return not are_alike and grade >= least_grade(shapes)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
@@ -315,6 +321,13 @@ def _are_too_unlike(
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
     return outlines > DETAILED * view.larger_side and grade_of_shapes(shapes, view) >= SENT_BACK
+
+
+def _is_torn(shapes: Shapes, grade: float) -> bool:
+    """Return whether a blend by lines, of a grade, would be sent back, the sooner the more of its ends come loose."""
+    if grade < TORN - PER_LOOSE_END * MOST_LOOSE:
+        return False
+    return grade + PER_LOOSE_END * loose_ends(shapes) >= TORN
 
 
 def _in_full_width(shape: ShapeBlend) -> ShapeBlend:

@@ -13,7 +13,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import are_near
-from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.interpolate.paths import paths_at, with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.pens.line import evenly, length
 from shapeblend_cli.wires.contour_blends import grow_from_point
@@ -69,6 +69,24 @@ CURVED = 0.3
 
 PER_RADIAN = 0.3
 """Reduction of that grade for each radian by which a line is bent, in grades."""
+
+TORN = 1.85
+"""Minimum grade of a blend of drawings that are mostly lines for these to be swapped, with its loose ends."""
+
+PER_LOOSE_END = 0.3
+"""Increase of that grade for each end that comes loose."""
+
+MOST_LOOSE = 3
+"""Maximum number of loose ends that make a difference."""
+
+LOOSE_TIMES = tuple(k / 8 for k in range(9))
+"""Times at which loose ends of lines are counted, both drawings among them."""
+
+TOUCHES = 0.55
+"""Maximum distance of the end of a line from another one that it touches, as a share of their mean width."""
+
+OWN = 1.5
+"""Length of a line beside its own end that this cannot touch, in widths."""
 
 LEAST_SENT_BACK = 1.2
 """Minimum grade of a blend of drawings that are not lines for these to be swapped, whatever speaks against it."""
@@ -213,6 +231,48 @@ def most_bent(shapes: Shapes) -> float:
     """
     lines = (contour for _, contour in _lines_of(shapes) if len({*_are_rings(contour)}) == 1)
     return min(max((_bending(contour, 0.0) for contour in lines), default=0.0), WHOLLY)
+
+
+def loose_ends(shapes: Shapes) -> int:
+    """Return how many ends of lines are loose on the way, beyond those in both drawings, at most `MOST_LOOSE`.
+
+    There a line is torn off from others, or a ring is open. Lines that split are cut on purpose.
+    """
+    from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
+
+    lines = [
+        shape
+        for shape in shapes
+        if shape.style_a.fill is shape.style_b.fill is None and shape.style_a.stroke is not None
+    ]
+    first, *between, last = (_loose_ends(lines, COPY, t) for t in LOOSE_TIMES)
+    return min(max(*between, first, last) - max(first, last), MOST_LOOSE)
+
+
+def _loose_ends(shapes: Sequence[ShapeBlend], copied: str, t: float) -> int:
+    """Return how many ends of lines touch no other line at a time, but for ends of lines that are copied."""
+    lines: list[tuple[ComplexArray, float]] = []
+    ends: list[tuple[complex, ComplexArray, float, int]] = []
+    for shape in shapes:
+        own = min(max(shape.own_time(t), 0.0), 1.0)
+        width = (1.0 - own) * shape.style_a.stroke_width + own * shape.style_b.stroke_width
+        for path in paths_at(shape, t):
+            points = _points(path.segments)
+            along = np.append(0.0, np.cumsum(np.abs(np.diff(points))))
+            if along[-1] <= TOUCHES * width:
+                continue
+            if not path.closed and abs(points[-1] - points[0]) > TOUCHES * width and shape.reason != copied:
+                ends.append((points[0], points[along >= OWN * width], width, len(lines)))
+                ends.append((points[-1], points[along <= along[-1] - OWN * width], width, len(lines)))
+            lines.append((points, width))
+    loose = 0
+    for place, rest, width, number in ends:
+        others = [line for k, line in enumerate(lines) if k != number]
+        if len(rest) > 1:
+            others.append((rest, width))
+        point = np.array([place])
+        loose += not any(are_near(point, line, TOUCHES * 0.5 * (width + wide))[0] for line, wide in others)
+    return loose
 
 
 def doubts_about(shapes: Shapes, doubts: Doubts) -> float:

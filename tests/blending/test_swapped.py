@@ -15,6 +15,7 @@ from shapeblend_cli.blending.swapped import (
     Doubts,
     doubts_about,
     is_swapped,
+    loose_ends,
 )
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.stagger import eased
@@ -76,6 +77,40 @@ def test_lines_that_would_tangle_make_room_though_rings_may_bend(tmp_path):
     assert is_swapped(pair.shapes)
     (other,) = sb.blend(*files, swap="never").pairs
     assert grade_of(other).number >= UNUSABLE
+
+
+SHEETS = "M11.25 4.25v-2.5h-9.5v9.5h2.5m.5-6.5v9.5h9.5v-9.5z"
+CLIPBOARD = "M5.75 1.75h4.5v3.5h-4.5z M5.25 2.75h-2.5v11.5h10.5v-11.5h-2.5"
+
+
+def sheets_to_clipboard(tmp_path, **settings):
+    files = tmp_path / "sheets.svg", tmp_path / "clipboard.svg"
+    stroke = 'fill="none" stroke="#000" stroke-width="1.5" stroke-linecap="round" stroke-linejoin="round"'
+    for file, d in zip(files, (SHEETS, CLIPBOARD), strict=True):
+        file.write_text(
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 16 16"><path d="{d}" {stroke}/></svg>'
+        )
+    (pair,) = sb.blend(*files, **settings).pairs
+    return pair
+
+
+def test_lines_whose_ends_would_come_loose_make_room(tmp_path):
+    assert loose_ends(sheets_to_clipboard(tmp_path, swap="never").shapes) >= 2
+    assert is_swapped(sheets_to_clipboard(tmp_path).shapes)
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ("sun.svg", "moon.svg"),
+        ("plus.svg", "x.svg"),
+        ("play.svg", "pause.svg"),
+        ("lock.svg", "lock-open.svg"),
+    ],
+)
+def test_ends_are_not_loose_that_turn_or_are_free_in_a_drawing(a, b):
+    (pair,) = blended(f"lucide/{a}", f"lucide/{b}").pairs
+    assert loose_ends(pair.shapes) == 0
 
 
 @pytest.mark.parametrize(("a", "b"), RELATED)
