@@ -165,7 +165,8 @@ bench-morphs: install npm ## measure by limbs and morphs whose in-betweens are k
 bench-faces: install npm ## count the eyes that become eyes on the same side, and the mouths that become mouths
 	$(BIN)/python -m tools.quality faces --print
 
-judge-weights: install ## fit the weights of `shapeblend judge` to graded strips, and write docs/judge.md
+judge-weights: install ## fit the weights and grow the trees of `shapeblend judge`, and write docs/judge.md
+	$(BIN)/python -m pip install --quiet "scikit-learn>=1.5"
 	$(BIN)/python -m tools.grading
 	$(BIN)/ruff format -q shapeblend_cli/grading/weights.py
 

@@ -54,14 +54,18 @@ class _Same:
 
 
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
-    """Return the grade of some shapes alone in a view, by which blends of them compare."""
+    """Return the sum of the faults of some shapes alone in a view, by which blends of them compare."""
     return _grade_alone(_Same(tuple(shapes)), view)
 
 
 @lru_cache(maxsize=4)
 def _grade_alone(same: _Same, view: Box) -> float:
     """Return `grade_of_shapes`: of the usual blend it is asked wherever another one is tried."""
-    return grade_of(Pair(0, 1, same.shapes, ((), ()), (view, view))).number
+    from shapeblend_cli.grading.grade import sum_of_faults  # most blends are not graded
+
+    if is_swapped(same.shapes):
+        return SWAP_GRADE
+    return sum_of_faults(_strip(Pair(0, 1, same.shapes, ((), ()), (view, view))))
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from shapeblend_cli.grading.features import Features, features, shares
+from shapeblend_cli.grading.measures import measures
+from shapeblend_cli.grading.seen import look
+from shapeblend_cli.grading.trees import tree_grade
 from shapeblend_cli.grading.weights import BASE, GOOD, TOGETHER, WEIGHTS
 
 if TYPE_CHECKING:
@@ -67,13 +70,36 @@ class Grade(NamedTuple):
 
 
 def grade(strip: Sequence[PictureArray]) -> Grade:
-    """Grade a strip of three pictures or more, each (4, n, n); see `features.features`.
+    """Grade a strip of three pictures or more, each (4, n, n), by regression trees; the reason is its worst fault.
 
     If all corners of the first and the last picture have one opaque colour, this is taken for the ground.
     """
+    seen = look(_prepared(strip))
+    if not seen.steps.any():
+        return Grade(0.0, None)  # nothing changes, so nothing is wrong
+    found = weighed(features(seen))
+    number = tree_grade(np.append(measures(seen), found.number))
+    return Grade(min(max(number, 0.0), WORST), found.why)
+
+
+def sum_of_faults(strip: Sequence[PictureArray]) -> float:
+    """Return the weighted sum of the faults of a strip, from 0 to 3, by which ways to blend two drawings compare.
+
+    It goes up evenly with every fault, as trees do not: their steps would decide between ways that are nearly the same.
+    """
+    return weighed(features(look(_prepared(strip)))).number
+
+
+def _prepared(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:
+    """Return at most `FRAMES` pictures of a strip, without their ground."""
     places = np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int)
     places = places[np.append(True, np.diff(places) > 0)]  # np.unique would load numpy.ma first
-    found = shares(np.array(features(without_ground([strip[k] for k in places.tolist()]))))
+    return without_ground([strip[k] for k in places.tolist()])
+
+
+def weighed(amounts: Features) -> Grade:
+    """Return the grade that features add up to, and the one that adds most."""
+    found = shares(np.array(amounts))
     beside = _beside(found)
     number = BASE + float(found @ (np.array(WEIGHTS) + 0.5 * beside))
     parts = (found - np.array(GOOD)) * (np.array(WEIGHTS) + beside)

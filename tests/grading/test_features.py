@@ -6,6 +6,7 @@ import pytest
 from shapeblend_cli.blending.placing import as_drawn
 from shapeblend_cli.grading.features import HALVES, Features, features, shares
 from shapeblend_cli.grading.painting import SIDE, picture
+from shapeblend_cli.grading.seen import look
 from shapeblend_cli.model import Box
 from tests.support.drawings import drawing
 
@@ -27,7 +28,7 @@ def with_frame(at, *frames):
 
 
 def test_nothing_is_wrong_with_a_square_that_slides():
-    found = features(strip(EVEN))
+    found = features(look(strip(EVEN)))
     for name in ("edges_lost", "size_off", "slivers", "lopsided", "pop", "directions"):
         assert getattr(found, name) == pytest.approx(0.0, abs=0.05)
     assert (found.pieces, found.patches, found.lumps, found.spikes, found.notches) == (0.0,) * 5
@@ -56,15 +57,15 @@ def test_a_fault_is_found_where_it_is(name, frame):
     else:
         even, wrong = EVEN, with_frame(3, frame)
     before, after = (
-        shares(np.array(features(strip(one))))[Features._fields.index(name)] for one in (even, wrong)
+        shares(np.array(features(look(strip(one)))))[Features._fields.index(name)] for one in (even, wrong)
     )
     assert after > before + 0.05
 
 
 def test_pictures_of_one_colour_have_the_same_features_in_black():
     frames = with_frame(3, "M7 4h3v8h-3Z M12 4h3v8h-3Z")
-    black = features([painted(frame) for frame in frames])
-    blue = features([painted(frame, attributes='fill="#0000ff"') for frame in frames])
+    black = features(look([painted(frame) for frame in frames]))
+    blue = features(look([painted(frame, attributes='fill="#0000ff"') for frame in frames]))
     for name in (
         "edges_lost",
         "size_off",

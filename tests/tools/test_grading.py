@@ -1,8 +1,11 @@
 import numpy as np
 
+from shapeblend_cli.grading.measures import NAMES
+from shapeblend_cli.grading.trees import forest
 from tools.grading.fit import (
     PAGE,
     WEIGHTS,
+    checks_in,
     graded,
     page,
     predicted,
@@ -10,6 +13,7 @@ from tools.grading.fit import (
     right_orders,
     weights_file,
 )
+from tools.grading.strips import strips
 
 
 def test_weights_and_their_page_are_those_that_the_grades_give():
@@ -18,7 +22,16 @@ def test_weights_and_their_page_are_those_that_the_grades_give():
     assert [line.strip() for line in weights_file(rows).splitlines() if "=" in line] == [
         line.strip() for line in written.splitlines() if "=" in line
     ]
-    assert PAGE.read_text() == page(rows)
+    measured, checks = checks_in(PAGE.read_text())
+    assert measured == len(strips().grades)
+    assert PAGE.read_text() == page(rows, measured, checks)
+
+
+def test_trees_are_those_of_the_strips():
+    rows = strips()
+    assert forest().places.max() <= len(NAMES)  # the last value is the sum of faults
+    told = np.array([forest().tell(values) for values in rows.values])
+    assert rank_correlation(told, rows.grades) > 0.85
 
 
 def test_grades_of_other_drawings_are_predicted():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -208,8 +209,8 @@ def _features(name: str, values: FloatArray, says: str) -> str:
     return f'\n{name} = Features(\n{lines})\n"""{says}"""\n'
 
 
-def page(strips: Graded) -> str:
-    """Return docs/judge.md."""
+def page(strips: Graded, measured: int, tree_checks: str) -> str:
+    """Return docs/judge.md; `checks_in` finds the checks of trees in it."""
     found, grades = fit(strips), predicted(strips)
     rows = []
     for k, name in sorted(enumerate(Features._fields), key=lambda one: -found.weights[one[0]]):
@@ -228,7 +229,18 @@ def page(strips: Graded) -> str:
         rows="\n".join(rows),
         pairs="\n".join(f"| `{one}`, `{other}` | {weight:.2f} |" for weight, one, other in _pairs(found)),
         checks="\n".join(checks),
+        measured=measured,
+        tree_checks=tree_checks,
     )
+
+
+def checks_in(text: str) -> tuple[int, str]:
+    """Return the number of strips that trees were grown from, and the checks of these, as docs/judge.md has them."""
+    found = re.search(
+        r"trees from (\d+)\s+strips.*?\| --- \| --- \| --- \| --- \|\n(.*?)\n\n", text, re.DOTALL
+    )
+    assert found is not None
+    return int(found[1]), found[2]
 
 
 def _parts(strips: Graded, some: BoolArray) -> list[tuple[str, BoolArray]]:
@@ -254,11 +266,34 @@ Each frame is drawn as a picture of 96 x 96 pixels. Strips of more than seven fr
 dashes and gradients are drawn roughly: with their mean colours, without dashes, whole. If the corners of the first
 and the last frame have one opaque colour, this is the ground.
 
-The grade is a base and what the features below add to it. Each is 0 where nothing is wrong, and adds nothing then. As
-it grows, it adds more, but never more than its weight, and half of its weight where it is as large as the column "half
+Regression trees tell the grade. What is seen in a frame is measured in many ways: how long its edges are, how much ink
+it has and how far this is spread, how thick and how thin it is, its corners, its patches of colour, holes and pieces,
+how far it is from its mirror image, in how many directions edges run, how much they bend. Each of these is compared
+with an even change from the first frame to the last, and with both of them. So are the steps from frame to frame, and
+what the frames have in common. `make judge-weights` grows the trees from {measured}
+strips, `tools/grading/strips.tsv.gz`, and writes them, `shapeblend_cli/grading/trees.json`, and this page. Graders saw
+most strips beside another way to blend the same drawings, without knowing which was which, and also said which of the
+two they preferred.
+
+Each strip below is graded by trees that were grown from strips of other drawings, and of icons also of other
+transitions. Of two ways to blend the same drawings of which both graders preferred the same, the last column counts
+those in the right order.
+
+| strips | number | rank correlation | right order |
+| --- | --- | --- | --- |
+{tree_checks}
+
+## Faults
+
+Trees cannot say why. The reason that is printed is the worst of the faults below; their weighted sum is one of the
+measures above. It also decides between ways to blend two drawings, with a margin for the usual one: the trees' grades
+go in steps, the sum goes up evenly.
+
+The sum is a base and what the features add to it. Each is 0 where nothing is wrong, and adds nothing then. As it
+grows, it adds more, but never more than its weight, and half of its weight where it is as large as the column "half
 at" says: what is seen first counts most. No weight is negative, so that the feature with the largest addition, alone
-and with others, is the reason that is printed. `make judge-weights` fits the weights to {count} graded strips,
-`tools/grading/grades.tsv`, and writes this page.
+and with others, is the reason. `make judge-weights` fits the weights to {count} graded strips,
+`tools/grading/grades.tsv`.
 
 | feature | as people see it | weight | half at | rank correlation with grades, alone |
 | --- | --- | --- | --- | --- |
@@ -272,18 +307,17 @@ in this table has no weight.
 | --- | --- |
 {pairs}
 
-Each strip below is graded by weights that were fitted to strips of other drawings. Of two strips of the same drawings
-that people graded differently, the last two columns count those in the right order: all of them, and those that are
-at least a grade apart. Several graders count with their mean. Most strips of later versions, and of npm sets, were
-graded to compare two ways to blend that were both thought good, so that they differ less than versions do.
+The sum for each strip below is by weights that were fitted to strips of other drawings. Of two strips of the same
+drawings that people graded differently, the last two columns count those in the right order: all of them, and those
+that are at least a grade apart. Several graders count with their mean. Most strips of later versions, and of npm sets,
+were graded to compare two ways to blend that were both thought good, so that they differ less than versions do.
 
 | strips | number | rank correlation | right order | a grade apart |
 | --- | --- | --- | --- | --- |
 {checks}
 
-The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. So do blends
-that are tried in other ways: the best grade is taken. The judge that chooses motions, [the page on motion](motion.md),
-looks at outlines, not at pictures. Its number is another one.
+The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
+chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one.
 """
 
 
