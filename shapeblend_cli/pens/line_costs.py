@@ -285,6 +285,8 @@ def _half(line: PenLine, piece: ComplexArray, target: PenLine) -> Half:
         return Half(cost, piece, one, other)
     whole, chord = target.length, abs(piece[-1] - piece[0])
     way = (piece[0] + piece[-1]) / 2.0 - evenly(piece, PRESSED_STEP).mean()
+    across = 1j * (piece[-1] - piece[0])  # to the cut: a piece that is not quite even would look past it
+    way = across if (across * way.conjugate()).real > 0.0 else -across
     ring = target.part(0.0, 0.0)
     # Of a straight side that faces the cut, the middle.
     facing = np.linspace(0.0, whole, FACING + 1)[:-1]
