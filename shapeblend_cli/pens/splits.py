@@ -25,6 +25,10 @@ COPY_SIZE = 0.4
 """Tolerance of the sizes of closed lines of which one comes out of the other, as a share."""
 
 
+SHUT = 0.4
+"""Share of the time in which halves of a ring are shut: open, they would look torn."""
+
+
 def split_moves(found: Assignment, moves: Sequence[Move]) -> tuple[list[Move], set[int], set[int]]:
     """Let lines without a partner come out of, or go into, the partner of one that is like them.
 
@@ -106,7 +110,8 @@ def splitting(line: PenLine, targets: Sequence[PenLine], *, joins: bool) -> list
         ends = alike(half.ends, half.target, by_corners=by_corners)  # else both sides alike
         before, after = (target, line) if joins else (line, target)
         shares = (1.0, 0.0) if joins else (0.0, 1.0)
-        first, last = (Drawing(smooth(tail), *shares) for tail in half.tails)
+        span = (1.0 - SHUT, 1.0) if joins else (0.0, SHUT)
+        first, last = (Drawing(smooth(tail), *shares, span=span) for tail in half.tails)
         pieces = between(*(ends[::-1] if joins else ends), closed=True)
         moves.append(Move(before, after, Pen((pieces,), (first, last)), COPY))
     return moves

@@ -246,6 +246,30 @@ def test_corners_of_a_ring_go_to_corners():
         assert abs(ends[np.abs(starts - corner).argmin()] - partner) < 0.1
 
 
+LEANING = (  # not quite even: its upper corner is rounder than the lower one
+    "M5.644 5.025V18.97a1.533 1.533 0 0 0 2.467 1.21l9.656-7.509a1.532 1.532 0 0 0-.092-2.483L8.019 3.753"
+    "a1.533 1.533 0 0 0-2.375 1.272z"
+)
+BARS = (
+    "M8.5 4.5h-3a1 1 0 0 0-1 1v13a1 1 0 0 0 1 1h3a1 1 0 0 0 1-1v-13a1 1 0 0 0-1-1z"
+    "m10 0h-3a1 1 0 0 0-1 1v13a1 1 0 0 0 1 1h3a1 1 0 0 0 1-1v-13a1 1 0 0 0-1-1z"
+)
+
+
+@pytest.mark.parametrize("joins", [False, True])
+def test_halves_of_a_ring_are_soon_shut_along_the_cut(joins):
+    sides = strokes(LEANING), strokes(BARS)
+    pair = blend(*(sides[::-1] if joins else sides), swap="never")
+    assert reasons(pair) == [COPY, COPY]
+    for t in (0.3, 0.5, 0.7, 0.9):
+        for shape in pair.shapes:
+            (path,) = paths_at(shape, 1.0 - t if joins else t)
+            first, last = path.segments[0, 0], path.segments[-1, 3]
+            side = abs(first.real - last.real)
+            assert side < 0.1, "both ends are on the upright side along the cut"
+            assert abs(first.imag - last.imag) < 2.1, "the line's width: its ends meet"
+
+
 def test_halves_of_a_triangle_have_no_waist():
     triangle, bars = "M5 3L20 12L5 21Z", "M4 3H10V21H4Z M14 3H20V21H14Z"
     pair = blend(strokes(triangle), strokes(bars))

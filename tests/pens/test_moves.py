@@ -12,7 +12,7 @@ from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS, alike, becoming
-from shapeblend_cli.pens.splits import COPY
+from shapeblend_cli.pens.splits import COPY, SHUT
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
 from tests.support.drawings import drawing
@@ -66,7 +66,9 @@ def test_a_closed_line_splits_into_two_that_close_again():
         for path in (PLAY, PAUSE)
     ]
     assert (drawn[0], drawn[-1]) == (pytest.approx(ends[0]), pytest.approx(ends[1], rel=1e-3))
-    assert (np.diff(drawn) > 0.0).all()
+    shut = TIMES.index(SHUT)
+    assert (np.diff(drawn[: shut + 1]) > 0.0).all()
+    assert np.ptp(drawn[shut:]) < 0.02 * drawn[-1], "once they are shut they only change their shape"
 
 
 def test_bars_split_and_open_to_boxes_while_the_middle_one_goes():
