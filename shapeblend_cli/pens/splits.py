@@ -25,7 +25,7 @@ COPY_SIZE = 0.4
 """Tolerance of the sizes of closed lines of which one comes out of the other, as a share."""
 
 
-SHUT = 0.4
+SHUT = 0.25
 """Share of the time in which halves of a ring are shut: open, they would look torn."""
 
 

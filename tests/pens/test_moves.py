@@ -66,7 +66,7 @@ def test_a_closed_line_splits_into_two_that_close_again():
         for path in (PLAY, PAUSE)
     ]
     assert (drawn[0], drawn[-1]) == (pytest.approx(ends[0]), pytest.approx(ends[1], rel=1e-3))
-    shut = TIMES.index(SHUT)
+    shut = next(k for k, t in enumerate(TIMES) if t >= SHUT)
     assert (np.diff(drawn[: shut + 1]) > 0.0).all()
     assert np.ptp(drawn[shut:]) < 0.02 * drawn[-1], "once they are shut they only change their shape"
 
