@@ -255,18 +255,16 @@ def _by_lines_or_outlines(
         shapes = (*paced(solid, lines.kept, by_size=by_size), *lines.shapes)
         return carried_by_lines(shapes) if _is_free(settings) else shapes
 
-    if lines.is_sure and not _may_fail(lines, settings):
+    if lines.is_sure:
         return together(by_size=True)
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
     grade = grade_of_shapes(tuple(map(_in_full_width, plain)), view)
-    if lines.is_sure and grade < FAILS:
-        return together(by_size=True)
     outlines = outlined(a, b, settings)
     other = grade_of_shapes(paced(outlines, by_size=False), view)
     if other < grade - (LESS if grade >= FAILS and other < LEAST_SENT_BACK else MARGIN):
         return paced(outlines)
-    if not lines.is_sure and is_swapped(given_way := swap(plain)):
+    if is_swapped(given_way := swap(plain)):
         return given_way
     return together(by_size=True)
 
@@ -292,12 +290,6 @@ def _by_outlines(
         paired, shapes = with_better_pairs(paired, shapes, move, view, works)
         paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=may_cut)
     return _with_bodies(paired, shapes, view)
-
-
-def _may_fail(lines: LineBlend, settings: Settings) -> bool:
-    """Return whether lines that are all of two drawings may be left for outlines: little of them stays."""
-    is_named = settings.match or settings.pins or settings.stiff
-    return lines.kept < KEPT and _is_free(settings) and settings.strokes == "auto" and not is_named
 
 
 def _are_too_unlike(
