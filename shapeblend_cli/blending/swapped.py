@@ -76,7 +76,7 @@ TORN = 1.85
 PER_LOOSE_END = 0.3
 """Increase of that grade for each end that comes loose."""
 
-MOST_LOOSE = 3
+MOST_LOOSE = 2
 """Maximum number of loose ends that make a difference."""
 
 LOOSE_TIMES = tuple(k / 8 for k in range(9))
