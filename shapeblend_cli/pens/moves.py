@@ -91,8 +91,14 @@ SHORT = 1.5
 STUBBY = 1.95
 """Maximum length of a line that thickens as it comes, in widths: drawn on in its full width, a dot would pop up."""
 
-CROSSES = 3.2
-"""The same for a ring, and for a line through the middle of another one, as in a plus."""
+RINGS = 3.2
+"""The same for a ring."""
+
+CROSSES = 3.6
+"""The same for a line through the middle of another one, as in a plus."""
+
+SQUARE_CROSSES = 6.0
+"""The same if its ends are cut off: in its full width, a short one would be a square."""
 
 
 class Move(NamedTuple):
@@ -351,7 +357,7 @@ def alone(
     if line.closed or line.length < SHORT * line.width:
         point = np.full(len(points), Box.around(points).centre)
         pair = (point, points) if is_new else (points, point)
-        most = CROSSES if line.closed else STUBBY
+        most = RINGS if line.closed else STUBBY
         return [moving(Straight(*pair), closed=line.closed, most=most, is_joined=False, is_early=is_early)]
 
     def from_foot(points: ComplexArray, foot: tuple[Pen, ComplexArray]) -> Move:
@@ -376,7 +382,8 @@ def alone(
     if middle or meets[1] or not bends or _is_chevron(points, bends):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
-        most = CROSSES if meets[1] else STUBBY
+        crosses = SQUARE_CROSSES if line.style.stroke_linecap == "butt" else CROSSES
+        most = crosses if meets[1] else STUBBY
         move = moving(drawing, most=most, is_joined=bool(middle), is_early=is_early and not middle)
         return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes
