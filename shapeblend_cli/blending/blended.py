@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes, told_grade
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
@@ -23,6 +23,7 @@ from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swapped import (
     ASKED,
     CURVED,
+    FAULTY,
     IN_COLOURS,
     IN_ONE_COLOUR,
     LEAST_SENT_BACK,
@@ -30,6 +31,7 @@ from shapeblend_cli.blending.swapped import (
     PER_LOOSE_END,
     PER_RADIAN,
     SENT_BACK,
+    TOLD,
     TORN,
     UNUSABLE,
     Doubts,
@@ -297,22 +299,22 @@ def _are_too_unlike(
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
-    shapes = tuple(map(_in_full_width, shapes))
+    wide = tuple(map(_in_full_width, shapes))
     if min(first.share, last.share) >= MOSTLY:
-        bent, grade = most_bent(shapes), grade_of_shapes(shapes, view)
+        bent, grade = most_bent(wide), grade_of_shapes(wide, view)
         if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
             return True
-        are_alike = is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines)
-        if not are_alike and _is_torn(shapes, grade):
+        if is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
+            return False
+        if _is_torn(wide, grade) or (min(first.share, last.share) >= ALL and grade >= least_grade(wide)):
             return True
-        if min(first.share, last.share) >= ALL:
-            return not are_alike and grade >= least_grade(shapes)
+        return grade >= FAULTY and told_grade(shapes, view) >= TOLD
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
-    return outlines > DETAILED * view.larger_side and grade_of_shapes(shapes, view) >= SENT_BACK
+    return outlines > DETAILED * view.larger_side and grade_of_shapes(wide, view) >= SENT_BACK
 
 
 def _is_torn(shapes: Shapes, grade: float) -> bool:

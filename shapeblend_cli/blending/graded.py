@@ -40,6 +40,15 @@ def grade_of(pair: Pair) -> Grade:
     return Grade(SWAP_GRADE, None) if is_swapped(pair.shapes) else grade(_strip(pair))
 
 
+def told_grade(shapes: Sequence[ShapeBlend], view: Box) -> float:
+    """Return the grade of some shapes alone in a view, by which it is decided whether they are good enough."""
+    return grade_of(_alone(shapes, view)).number
+
+
+def _alone(shapes: Sequence[ShapeBlend], view: Box) -> Pair:
+    return Pair(0, 1, tuple(shapes), ((), ()), (view, view))
+
+
 class _Same:
     """Shapes that are equal to themselves only."""
 
@@ -65,7 +74,7 @@ def _grade_alone(same: _Same, view: Box) -> float:
 
     if is_swapped(same.shapes):
         return SWAP_GRADE
-    return sum_of_faults(_strip(Pair(0, 1, same.shapes, ((), ()), (view, view))))
+    return sum_of_faults(_strip(_alone(same.shapes, view)))
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

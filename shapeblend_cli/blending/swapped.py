@@ -88,6 +88,12 @@ TOUCHES = 0.55
 OWN = 1.5
 """Length of a line beside its own end that this cannot touch, in widths."""
 
+TOLD = 1.6
+"""Minimum grade that trees tell of a blend of drawings that are mostly lines for these to be swapped."""
+
+FAULTY = 1.0
+"""Minimum sum of the faults of such a blend for trees to be asked."""
+
 LEAST_SENT_BACK = 1.2
 """Minimum grade of a blend of drawings that are not lines for these to be swapped, whatever speaks against it."""
 
@@ -122,7 +128,7 @@ class Doubts(NamedTuple):
     most: float  # grade with all this from which on the drawings are swapped
 
 
-IN_COLOURS = Doubts(per_fault=2.8, per_radian=0.46, if_alone=1.7, most=4.0)
+IN_COLOURS = Doubts(per_fault=2.8, per_radian=0.46, if_alone=1.7, most=3.7)
 """Doubts about a blend of drawings of several colours."""
 
 IN_ONE_COLOUR = Doubts(per_fault=5.0, per_radian=1.5, if_alone=3.5, most=5.5)
