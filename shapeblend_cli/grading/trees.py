@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -36,6 +35,8 @@ class Forest(NamedTuple):
 @cache
 def forest() -> Forest:
     """Read the trees."""
+    import json  # most blends are not graded
+
     found = json.loads(Path(__file__).with_name("trees.json").read_text("utf-8"))
     return Forest(
         found["base"],

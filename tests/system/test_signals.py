@@ -11,7 +11,7 @@ from shapeblend_cli.geometry.crossings import polygon_crossings
 from shapeblend_cli.matching import sweeps
 from shapeblend_cli.matching.angles import Bending, Corners, fill_bends
 from shapeblend_cli.matching.smoothing import smoothed
-from shapeblend_cli.matching.tables import Bounds, Progress, Terminals, Window
+from shapeblend_cli.matching.tables import Progress, Terminals, Window
 from shapeblend_cli.matching.travel import Stations, add_travel
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.options.constants import WorkConstants
@@ -58,8 +58,8 @@ def sweep_back():
 
 def sweep():
     progress = Progress(wide(), ANYWHERE, np.empty((MANY, 2), np.intp))
-    bounds = Bounds(wide(), np.empty((0, 3)), np.inf)
-    return partial(sweeps.sweep, TABLES, wide(), ANYWHERE, bounds, progress, MANY - 1, False)
+    arrays = sweeps.Arrays(TABLES, wide(), wide(), np.empty((0, 3)), progress)
+    return partial(sweeps.sweep, arrays, ANYWHERE, np.inf, progress, MANY - 1, False)
 
 
 def smooth():
