@@ -36,6 +36,9 @@ SECONDS = 2
 # Line caps, which have no half way, change in frames at half time, in a transition at once, and in Lottie never.
 SMOOTH = [name for name in BLENDS if name != "lines"]
 
+# A transition mixes colours in its own way, which is duller between different hues.
+MIXED_ALIKE = [name for name in SMOOTH if name != "colours of different hues"]
+
 
 def frames_of(blend, ease="linear"):
     """The frames of a blend at `TIMES`, all with the viewBox of A."""
@@ -199,7 +202,7 @@ def test_lottie_web_shows_what_clips_leave(here, played):
     assert_shown(played(Path("x.json").read_text("utf-8"), written_frames(), TIMES), 5e-3)
 
 
-@pytest.mark.parametrize("blend", SMOOTH)
+@pytest.mark.parametrize("blend", MIXED_ALIKE)
 def test_a_css_transition_between_the_two_of_a_pair_shows_the_frames(here, two_rows, blend):
     a = emitted(blend, "pair", "blend/a.svg", "-q")
     b = Path("blend/b.svg").read_text(encoding="utf-8")

@@ -14,7 +14,11 @@ ROUND = 'stroke="#204080" stroke-width="1.5" stroke-linecap="round" stroke-linej
 BLENDS = {
     "holes": (
         svg(B, attributes='fill="#c04020" fill-rule="evenodd"'),
-        svg(EIGHT, attributes='fill="#2040c0" fill-rule="evenodd"'),
+        svg(EIGHT, attributes='fill="#c08020" fill-rule="evenodd"'),
+    ),
+    "colours of different hues": (
+        svg(SQUARES, attributes='fill="#c04020"'),
+        svg(SQUARES, attributes='fill="#2040c0"'),
     ),
     "a hole that grows, stroked with round caps": (
         svg(LEAF, attributes=f'fill="#ffcc00" {ROUND}'),

@@ -14,6 +14,7 @@ from shapeblend_cli.model import Box, LinearGradient, PaintedShape, RadialGradie
 from shapeblend_cli.options.easing import LINEAR, Ease, Timing
 from shapeblend_cli.outputs.lottie.lottie import lottie
 from shapeblend_cli.outputs.move import Move, moved_shape, sections
+from shapeblend_cli.paint.oklab import blend_colours
 from tests.outputs.blends import each_blend, emitted
 from tests.support.commands import names, write
 from tests.support.contours import circle_contour, polygon_contour
@@ -51,7 +52,7 @@ DIAMOND = polygon_contour([6 + 0j, 12 + 6j, 6 + 12j, 6j])
 
 
 @each_blend
-def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_if_any(here, blend):
+def test_paths_have_as_many_vertices_at_both_ends_and_properties_keyframes_from_end_to_end(here, blend):
     found = json.loads(emitted(blend, *LINEAR_LOTTIE))
     layers = [layer["nm"] for layer in found["layers"]]
     assert layers
@@ -69,11 +70,14 @@ def test_paths_have_as_many_vertices_at_both_ends_and_properties_two_keyframes_i
                 assert len({b["c"] for b in beziers}) == 1
     for moving in properties(found):
         if moving["a"]:
-            first, last = moving["k"]
-            assert (first["t"], last["t"]) == (0, 120)
-            assert set(first) == {"t", "s", "o", "i"}
+            *keys, last = moving["k"]
+            times = [key["t"] for key in moving["k"]]
+            assert (times[0], times[-1]) == (0, 120)
+            assert times == sorted(set(times))
+            assert len(keys) == 1 or len(last["s"]) == 4, "colours alone have others between"
+            assert all(set(key) == {"t", "s", "o", "i"} for key in keys)
             assert set(last) == {"t", "s"}
-            assert isinstance(first["s"], list)
+            assert all(isinstance(key["s"], list) for key in keys)
 
 
 @each_blend
@@ -114,16 +118,25 @@ def test_an_open_line_has_one_vertex_more_than_segments():
 
 def test_paint():
     style = Style("#ff0000", 0.5, "evenodd", "#0000ff", 0.25, 2.0, "round", "bevel")
-    _, items = of(SQUARE, SQUARE, style, style._replace(fill="#000000", stroke_width=4.0))
+    _, items = of(SQUARE, SQUARE, style, style._replace(fill="#ff3300", stroke_width=4.0))
     assert list(items) == ["sh", "st", "fl", "tr"]  # what comes first is on top
     speed = {"o": {"x": [0], "y": [0]}, "i": {"x": [1], "y": [1]}}
     fill, stroke = items["fl"], items["st"]
-    assert fill["c"] == {"a": 1, "k": [{"t": 0, "s": [1, 0, 0, 1], **speed}, {"t": 120, "s": [0, 0, 0, 1]}]}
+    assert fill["c"] == {"a": 1, "k": [{"t": 0, "s": [1, 0, 0, 1], **speed}, {"t": 120, "s": [1, 0.2, 0, 1]}]}
     assert fill["o"] == {"a": 0, "k": 50}
     assert fill["r"] == 2
     assert stroke["w"] == {"a": 1, "k": [{"t": 0, "s": [2], **speed}, {"t": 120, "s": [4]}]}
     assert (stroke["c"]["k"], stroke["o"]["k"]) == ([0, 0, 1, 1], 25)
     assert (stroke["lc"], stroke["lj"], stroke["ml"]) == (2, 3, 4)
+
+
+def test_colours_of_different_hues_are_mixed_as_in_frames():
+    _, items = of(SQUARE, SQUARE, Style("#ff0000"), Style("#0000ff"))
+    keys = items["fl"]["c"]["k"]
+    assert len(keys) > 2
+    for key in keys:
+        mixed = blend_colours("#ff0000", "#0000ff", key["t"] / 120)
+        assert key["s"][:3] == pytest.approx([c / 255 for c in bytes.fromhex(mixed[1:])], abs=0.01)
 
 
 def test_dashes_have_more_decimals_than_coordinates():

@@ -11,11 +11,13 @@ import io
 import json
 import math
 import zipfile
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered
 from shapeblend_cli.outputs.lottie.image_layers import FRAME_RATE, Assets, masks_of
 from shapeblend_cli.outputs.lottie.keyframes import Keyframes, constant, rounded
+from shapeblend_cli.paint.oklab import colour_stops
 from shapeblend_cli.svg.writing.rounding import DASH_DIGITS
 
 if TYPE_CHECKING:
@@ -184,8 +186,20 @@ def _paint(shape: MovedShape, name: str, keys: Keyframes) -> tuple[str, dict[str
     opacity = {"o": keys.opacity(shape, name)}
     if gradients:
         return {"fill": "gf", "stroke": "gs"}[name], _shade(shape, gradients, keys) | opacity
-    colour = keys.value(shape, lambda style: _colour(getattr(style, name)))
+    colour = keys.property([(t, _colour(text)) for t, text in _colours(shape, name)])
     return {"fill": "fl", "stroke": "st"}[name], {"c": colour} | opacity
+
+
+def _colours(shape: MovedShape, name: str) -> list[tuple[float, str]]:
+    """Return the colours of a paint at times, between which each channel goes evenly."""
+    found = [(t, getattr(style, name)) for t, style in shape.styles]
+    if len({text for _, text in found}) == 1:
+        return found
+    colours = found[:1]
+    for (begin, a), (end, b) in pairwise(found):
+        _, *stops = colour_stops(a, b)
+        colours += [(begin + (end - begin) * (k + 1) / len(stops), text) for k, text in enumerate(stops)]
+    return colours
 
 
 def _shows_gradients(shape: MovedShape, paint: str) -> bool:
