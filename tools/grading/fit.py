@@ -14,6 +14,8 @@ from shapeblend_cli.grading.grade import PHRASES
 from tools.quality.data import ROOT
 
 if TYPE_CHECKING:
+    from collections.abc import Hashable, Sequence
+
     from shapeblend_cli.model import BoolArray, FloatArray, IntArray
 
 GRADES = Path(__file__).with_name("grades.tsv")
@@ -133,20 +135,30 @@ def _counts(strips: Graded, which: IntArray) -> FloatArray:
 
 def _beside(strips: Graded) -> tuple[IntArray, IntArray]:
     """Return the strips of one pair, two by two."""
-    places: dict[str, list[int]] = {}
-    for k, pair in enumerate(strips.pairs):
-        places.setdefault(pair, []).append(k)
+    return two_by_two(strips.pairs)
+
+
+def two_by_two(names: Sequence[Hashable]) -> tuple[IntArray, IntArray]:
+    """Return the places of equal names, two by two: first and second ones."""
+    places: dict[Hashable, list[int]] = {}
+    for k, name in enumerate(names):
+        places.setdefault(name, []).append(k)
     found = [two for group in places.values() for two in combinations(group, 2)]
     first, second = np.array(found, np.intp).reshape(-1, 2).T
     return first, second
 
 
+def folds(names: Sequence[str]) -> IntArray:
+    """Return the part of the strips, of `FOLDS`, that each belongs to, by lot; those of one name are in one."""
+    each = sorted(set(names))
+    np.random.RandomState(0).shuffle(each)
+    part = {name: k % FOLDS for k, name in enumerate(each)}
+    return np.array([part[name] for name in names])
+
+
 def predicted(strips: Graded) -> FloatArray:
     """Return grades of all strips, each from a fit to strips of other pairs."""
-    names = sorted(set(strips.pairs))
-    np.random.RandomState(0).shuffle(names)
-    part = {name: k % FOLDS for k, name in enumerate(names)}
-    parts = np.array([part[pair] for pair in strips.pairs])
+    parts = folds(strips.pairs)
     found = np.zeros(len(parts))
     for k in range(FOLDS):
         found[parts == k] = fit(strips.take(parts != k)).predict(strips.take(parts == k))

@@ -7,14 +7,13 @@ errors of grades and, as much, on those of differences between two such strips.
 from __future__ import annotations
 
 import json
-from itertools import combinations
 from typing import TYPE_CHECKING
 
 import numpy as np
 from sklearn.tree import DecisionTreeRegressor
 
 from shapeblend_cli.grading.trees import DEPTH, Forest
-from tools.grading.fit import FOLDS, rank_correlation
+from tools.grading.fit import FOLDS, folds, rank_correlation, two_by_two
 from tools.grading.strips import WEIGHTS, Strips
 from tools.quality.data import ROOT
 
@@ -44,11 +43,7 @@ CLEAR = 0.5
 
 def beside(rows: Strips) -> tuple[IntArray, IntArray, FloatArray]:
     """Return the strips of the same drawings, two by two, and by how much the first should be graded worse."""
-    places: dict[tuple[str, str], list[int]] = {}
-    for k, (kind, pair) in enumerate(zip(rows.kinds, rows.pairs, strict=True)):
-        places.setdefault((kind, pair), []).append(k)
-    found = [two for group in places.values() for two in combinations(group, 2)]
-    first, second = np.array(found, np.intp).reshape(-1, 2).T
+    first, second = two_by_two([*zip(rows.kinds, rows.pairs, strict=True)])
     apart = rows.grades[first] - rows.grades[second]
     apart = np.where(rows.is_better[first], np.minimum(apart, -CLEAR), apart)
     return first, second, np.where(rows.is_better[second], np.maximum(apart, CLEAR), apart)
@@ -108,10 +103,7 @@ def trees_file(forest: Forest) -> str:
 
 def predicted(rows: Strips) -> FloatArray:
     """Return grades of all strips, each by trees that were grown from strips of other groups."""
-    names = sorted(set(rows.groups))
-    np.random.RandomState(0).shuffle(names)
-    part = {name: k % FOLDS for k, name in enumerate(names)}
-    parts = np.array([part[group] for group in rows.groups])
+    parts = folds(rows.groups)
     found = np.zeros(len(parts))
     for k in range(FOLDS):
         forest = grown(rows.take(parts != k))

@@ -193,8 +193,6 @@ def _paint(shape: MovedShape, name: str, keys: Keyframes) -> tuple[str, dict[str
 def _colours(shape: MovedShape, name: str) -> list[tuple[float, str]]:
     """Return the colours of a paint at times, between which each channel goes evenly."""
     found = [(t, getattr(style, name)) for t, style in shape.styles]
-    if len({text for _, text in found}) == 1:
-        return found
     colours = found[:1]
     for (begin, a), (end, b) in pairwise(found):
         _, *stops = colour_stops(a, b)
