@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from operator import is_
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.blending.swapped import is_swapped
@@ -50,16 +51,18 @@ def _alone(shapes: Sequence[ShapeBlend], view: Box) -> Pair:
 
 
 class _Same:
-    """Shapes that are equal to themselves only."""
+    """Shapes that are equal to the very same ones only, in whatever tuple they are."""
 
     def __init__(self, shapes: tuple[ShapeBlend, ...]) -> None:
         self.shapes = shapes
 
     def __hash__(self) -> int:
-        return id(self.shapes)
+        return hash(tuple(map(id, self.shapes)))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self.shapes is other.shapes
+        if not isinstance(other, _Same) or len(self.shapes) != len(other.shapes):
+            return False
+        return all(map(is_, self.shapes, other.shapes))
 
 
 def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
