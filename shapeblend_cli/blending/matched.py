@@ -26,7 +26,7 @@ from shapeblend_cli.wires.direction import watch_part
 from shapeblend_cli.wires.match import match_contours
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Hashable, Sequence
+    from collections.abc import Callable, Collection, Hashable, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
     from shapeblend_cli.model import ContourBlend, Place
@@ -104,6 +104,15 @@ class PairedDrawings(NamedTuple):
     def is_fixed(self) -> bool:
         """Whether something else than costs decides pairs, or crowds of copies are matched together."""
         return bool(self.changes or self.required or self.copies is not None)
+
+    def without(self, numbers: Collection[NumbersOrNone]) -> PairedDrawings:
+        """Leave pairs of contours with these numbers without their partners, and what rides on them as well."""
+        pairs = {pair: each for pair, each in self.pairs.items() if pair not in numbers}
+        first, last = (
+            {rider: leader for rider, leader in riding.items() if any(leader == pair[side] for pair in pairs)}
+            for side, riding in enumerate(self.riders)
+        )
+        return self._replace(pairs=pairs, riders=(first, last))
 
     def leads(self, shape: ShapeBlend) -> bool:
         """Return whether strokes ride on a shape, which therefore moves straight as they do."""

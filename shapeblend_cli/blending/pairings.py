@@ -183,12 +183,13 @@ def _without_torn_lines(paired: PairedDrawings) -> PairedDrawings:
         known = {numbers[side] for numbers in paired.pairs}
         alone = {c.number for c in contours if c.role == EXTERIOR and c.style.fill is not None} - known
         torn.append(riders(contours, alone))
-    kept = {
-        numbers: each
-        for numbers, each in paired.pairs.items()
-        if not any(number in lines for number, lines in zip(numbers, torn, strict=True))
-    }
-    return paired._replace(pairs=kept)
+    return paired.without(
+        [
+            numbers
+            for numbers in paired.pairs
+            if any(number in lines for number, lines in zip(numbers, torn, strict=True))
+        ]
+    )
 
 
 def _without_strays(paired: PairedDrawings, shapes: Shapes, side: float) -> PairedDrawings:
@@ -203,8 +204,7 @@ def _without_strays(paired: PairedDrawings, shapes: Shapes, side: float) -> Pair
     }
     if not strays & paired.pairs.keys():
         return paired
-    kept = {numbers: each for numbers, each in paired.pairs.items() if numbers not in strays}
-    return _without_torn_lines(paired._replace(pairs=kept))
+    return _without_torn_lines(paired.without(strays))
 
 
 def _is_stray(shape: ShapeBlend, contour: ContourBlend, size: float) -> bool:

@@ -109,6 +109,18 @@ def test_what_would_stray_to_something_of_another_colour_is_rather_alone(
         assert partners(pair_of(*pair)) == ({(0, 0)} if is_alone else {(0, 0), (1, 1)})
 
 
+def test_the_line_around_what_would_stray_goes_with_it(monkeypatch):
+    part, there = "M18 30h14v10h-14z", "M33 42h14v10h-14z"
+    line = f'<path fill="none" stroke="#31373d" stroke-width="2" d="{part}"/>'
+    a = drawing(
+        f'<path fill="#ffdc5d" d="{HAND}"/><path fill="#dd2e44" d="{part}"/>{line}', viewbox="0 0 64 64"
+    )
+    b = drawing(f'<path fill="#ffdc5d" d="{FIST}"/><path fill="#5dadec" d="{there}"/>', viewbox="0 0 64 64")
+    monkeypatch.setattr(pairings, "grade_of_shapes", lambda shapes, view: 2.0)
+    for pair in ((a, b), (b, a)):
+        assert partners(pair_of(*pair)) == {(0, 0)}
+
+
 def test_dark_parts_stay_what_they_are(monkeypatch):
     ends = [
         drawing(f'<path fill="#ffdc5d" d="{body}"/><path fill="{eye}" d="{part}"/>', viewbox="0 0 64 64")
