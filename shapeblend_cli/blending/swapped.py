@@ -28,14 +28,17 @@ if TYPE_CHECKING:
 
     Shapes = tuple[ShapeBlend, ...]
 
-GONE = 0.48
+GONE = 0.46
 """Time at which the drawing that leaves is gone: it is quicker than the one that comes."""
 
-COMES = 0.42
+COMES = 0.435
 """Time at which a drawing begins to come: nearly when the other one is gone, else both would be a lump."""
 
-KNOTS = 8
+KNOTS = 12
 """Number of even steps of which the pace of a drawing is made."""
+
+SNAP = 8
+"""Power of the time by which a drawing that leaves becomes smaller: large for long, and small for moments only."""
 
 SAME_VIEW = 1e-6
 """Maximum distance of the sides of two views that are the same, as a share of the larger side."""
@@ -183,14 +186,14 @@ def _leaving(is_one_view: bool) -> tuple[tuple[float, float], ...]:
     In a view that changes it shrinks at least evenly, so that it stays in the picture.
     """
     steps = [k / KNOTS for k in range(KNOTS + 1)]
-    shrunk = [step**3 if is_one_view else max(step**3, GONE * step) for step in steps]
+    shrunk = [step**SNAP if is_one_view else max(step**SNAP, GONE * step) for step in steps]
     return (*((GONE * step, share) for step, share in zip(steps, shrunk, strict=True)), (1.0, 1.0))
 
 
 def _coming(is_one_view: bool) -> tuple[tuple[float, float], ...]:
     """Return the pace of a drawing that grows: ever slower."""
     times = [COMES + (1.0 - COMES) * k / KNOTS for k in range(KNOTS + 1)]
-    grown = [1.0 - ((1.0 - t) / (1.0 - COMES)) ** 3 for t in times]
+    grown = [1.0 - ((1.0 - t) / (1.0 - COMES)) ** SNAP for t in times]
     shares = grown if is_one_view else [min(share, t) for share, t in zip(grown, times, strict=True)]
     return ((0.0, 0.0), *zip(times, shares, strict=True))
 
