@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes, told_grade
+from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
@@ -20,28 +20,15 @@ from shapeblend_cli.blending.rematched import with_other_matches, with_points_ne
 from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
-from shapeblend_cli.blending.swapped import (
-    ASKED,
-    CURVED,
-    FAULTY,
+from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
+from shapeblend_cli.blending.swaps.unlike import (
+    ALL,
     IN_COLOURS,
     IN_ONE_COLOUR,
     LEAST_SENT_BACK,
-    MOST_LOOSE,
-    PER_LOOSE_END,
-    PER_RADIAN,
-    SENT_BACK,
-    TOLD,
-    TORN,
-    UNUSABLE,
-    Doubts,
-    doubts_about,
-    is_covered,
-    is_swapped,
-    least_grade,
-    loose_ends,
-    most_bent,
-    swapped,
+    are_too_unlike,
+    in_full_width,
+    is_hopeless,
 )
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.blending.uncrossed import with_crossings_undone
@@ -52,7 +39,7 @@ from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
-from shapeblend_cli.pens.line import UNITS, length
+from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
@@ -66,18 +53,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.pens.line_blends import LineBlend
 
     Shapes = tuple[ShapeBlend, ...]
-
-ALL = 0.9
-"""Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
-
-MOSTLY = 0.6
-"""Minimum share of the ink of a drawing in its lines for these to be most of it."""
-
-SOLID = 0.3
-"""Maximum share of the ink of a solid drawing in its lines."""
-
-DETAILED = 4.6
-"""Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
 MARGIN = 0.8
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
@@ -124,7 +99,7 @@ def blend_shapes(
     may_swap = may_swap and (lines is None or lines.kept < KEPT)
 
     def swap(shapes: Shapes) -> Shapes:
-        if may_swap and pens and not is_swapped(shapes) and _are_too_unlike(a, b, shapes, pens, view):
+        if may_swap and pens and not is_swapped(shapes) and are_too_unlike(a, b, shapes, pens, view):
             return swapped(a, b, settings, view)
         return shapes
 
@@ -147,22 +122,9 @@ def blend_shapes(
         shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
     else:
         shapes = with_details_faded(shapes, view.larger_side)
-    if may_swap and _is_hopeless(shapes, IN_ONE_COLOUR if is_of_one_colour else IN_COLOURS, view):
+    if may_swap and is_hopeless(shapes, IN_ONE_COLOUR if is_of_one_colour else IN_COLOURS, view):
         return swapped(a, b, settings, view)
     return shapes
-
-
-def _is_hopeless(shapes: Shapes, doubts: Doubts, view: Box) -> bool:
-    """Return whether a blend of drawings that are not lines is far worse than that they take each other's place."""
-    if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
-        return False
-    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
-
-    doubt = doubts_about(shapes, doubts)
-    if doubt + WORST < doubts.most:
-        return False
-    grade = grade_of_shapes(shapes, view)
-    return grade >= LEAST_SENT_BACK and grade + doubt >= doubts.most
 
 
 def _as_silhouettes(
@@ -261,7 +223,7 @@ def _by_lines_or_outlines(
         return together(by_size=True)
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
-    grade = grade_of_shapes(tuple(map(_in_full_width, plain)), view)
+    grade = grade_of_shapes(tuple(map(in_full_width, plain)), view)
     outlines = outlined(a, b, settings)
     other = grade_of_shapes(paced(outlines, by_size=False), view)
     if other < grade - (LESS if grade >= FAILS and other < LEAST_SENT_BACK else MARGIN):
@@ -292,44 +254,6 @@ def _by_outlines(
         paired, shapes = with_better_pairs(paired, shapes, move, view, works)
         paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=may_cut)
     return _with_bodies(paired, shapes, view)
-
-
-def _are_too_unlike(
-    a: PlacedDrawing, b: PlacedDrawing, shapes: Shapes, pens: tuple[PenDrawing, PenDrawing], view: Box
-) -> bool:
-    """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
-    first, last = pens
-    wide = tuple(map(_in_full_width, shapes))
-    if min(first.share, last.share) >= MOSTLY:
-        bent, grade = most_bent(wide), grade_of_shapes(wide, view)
-        if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
-            return True
-        if is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
-            return False
-        if _is_torn(wide, grade) or (min(first.share, last.share) >= ALL and grade >= least_grade(wide)):
-            return True
-        return grade >= FAULTY and told_grade(shapes, view) >= TOLD
-    solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
-    strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
-    if not (solids and strokes):
-        return False
-    outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
-    return outlines > DETAILED * view.larger_side and grade_of_shapes(wide, view) >= SENT_BACK
-
-
-def _is_torn(shapes: Shapes, grade: float) -> bool:
-    """Return whether a blend by lines, of a grade, would be sent back, the sooner the more of its ends come loose."""
-    if grade < TORN - PER_LOOSE_END * MOST_LOOSE:
-        return False
-    return grade + PER_LOOSE_END * loose_ends(shapes) >= TORN
-
-
-def _in_full_width(shape: ShapeBlend) -> ShapeBlend:
-    """Return a line that does not thicken as it comes, nor thin as it goes: the judge takes it for a spike."""
-    if bool(shape.style_a.stroke_width) == bool(shape.style_b.stroke_width):
-        return shape
-    whole = shape.style_a if shape.style_a.stroke_width else shape.style_b
-    return shape._replace(style_a=whole, style_b=whole)
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

@@ -6,7 +6,7 @@ from functools import lru_cache
 from operator import is_
 from typing import TYPE_CHECKING
 
-from shapeblend_cli.blending.swapped import is_swapped
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.model import Box, Pair
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from shapeblend_cli.blending.graded import BETTER, grade_of_shapes
-from shapeblend_cli.blending.swapped import is_swapped
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import expect, paths_at, segments_at

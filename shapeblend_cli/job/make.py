@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
-from shapeblend_cli.blending.swapped import is_swapped
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.job.job import Job
 from shapeblend_cli.job.targets import check_files_of, check_libraries, named, write

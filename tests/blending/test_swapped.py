@@ -7,16 +7,8 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
-from shapeblend_cli.blending.swapped import (
-    ASKED,
-    IN_COLOURS,
-    SWAPPED,
-    UNUSABLE,
-    Doubts,
-    doubts_about,
-    is_swapped,
-    loose_ends,
-)
+from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
+from shapeblend_cli.blending.swaps.unlike import IN_COLOURS, UNUSABLE, Doubts, doubts_about, loose_ends
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.stagger import eased
 from shapeblend_cli.interpolate.paths import paths_at

@@ -1,4 +1,4 @@
-"""A drawing shrinks away, and the other one grows in its place, as interfaces swap icons that have nothing in common.
+"""When two drawings have so little in common that one rather takes the other's place than becomes it.
 
 The paper's work has no such limit: the least of much work is still the least. But a line that is bent nearly all along
 reads as scrap on its way, however evenly it moves.
@@ -6,42 +6,26 @@ reads as scrap on its way, however evenly it moves.
 
 from __future__ import annotations
 
-from itertools import groupby
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.blending.graded import grade_of_shapes, told_grade
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import are_near
-from shapeblend_cli.interpolate.paths import paths_at, with_curves
-from shapeblend_cli.model import Box, ShapeBlend
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import Box
 from shapeblend_cli.pens.line import evenly, length
-from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend
-    from shapeblend_cli.options.settings import Settings
-    from shapeblend_cli.pens.line import PenLine
+    from shapeblend_cli.anatomy.decompose import PlacedDrawing
+    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
+    from shapeblend_cli.pens.line import PenDrawing, PenLine
 
     Shapes = tuple[ShapeBlend, ...]
-
-GONE = 0.46
-"""Time at which the drawing that leaves is gone: it is quicker than the one that comes."""
-
-COMES = 0.435
-"""Time at which a drawing begins to come: nearly when the other one is gone, else both would be a lump."""
-
-KNOTS = 12
-"""Number of even steps of which the pace of a drawing is made."""
-
-SNAP = 8
-"""Power of the time by which a drawing that leaves becomes smaller: large for long, and small for moments only."""
-
-SAME_VIEW = 1e-6
-"""Maximum distance of the sides of two views that are the same, as a share of the larger side."""
 
 MOST_BENT = 1.1
 """Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
@@ -121,6 +105,18 @@ FLAT = 0.02
 POINTS = 4
 """Number of points on each segment between which its directions are compared."""
 
+ALL = 0.9
+"""Minimum share of the ink of a drawing in its lines for it to be a sign, such as a check mark."""
+
+MOSTLY = 0.6
+"""Minimum share of the ink of a drawing in its lines for these to be most of it."""
+
+SOLID = 0.3
+"""Maximum share of the ink of a solid drawing in its lines."""
+
+DETAILED = 4.6
+"""Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
+
 
 class Doubts(NamedTuple):
     """What speaks against a blend of drawings that are not lines, in grades that are added to its own."""
@@ -140,62 +136,56 @@ IN_ONE_COLOUR = Doubts(per_fault=5.0, per_radian=1.5, if_alone=3.5, most=5.5)
 TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
 
-SWAPPED = "the drawings have too little in common, so one takes the other's place"
-ASKED = "one drawing takes the other's place, as asked"
 
-
-def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
-    """Return whether a drawing takes the place of the other one."""
-    return bool(shapes) and all(shape.reason in (ASKED, SWAPPED) for shape in shapes)
-
-
-def swapped(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, reason: str = SWAPPED
-) -> Shapes:
-    """Return shapes of A that shrink to the centre of the view, below shapes of B that grow from it."""
-    centre, is_one_view = view.centre, all(_fills(side, view) for side in (a, b))
-
-    def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
-        for number, members in groupby(contours, key=lambda contour: contour.shape):
-            of_shape = list(members)
-            blends = [grow_from_point(contour, centre, of_b=bool(here)) for contour in of_shape]
-            style = of_shape[0].style
-            styles = style, style._replace(stroke_width=0.0)
-            yield ShapeBlend(
-                tuple(map(with_curves, blends) if settings.curves else blends),
-                *(styles[::-1] if here else styles),
-                reason=reason,
-                sources=(None, number) if here else (number, None),
-                pace=_coming(is_one_view) if here else _leaving(is_one_view),
-            )
-
-    return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
-
-
-def _fills(side: PlacedDrawing, view: Box) -> bool:
-    """Return whether a drawing is seen in all of a view."""
-    if side.drawing.viewbox is None:
+def are_too_unlike(
+    a: PlacedDrawing, b: PlacedDrawing, shapes: Shapes, pens: tuple[PenDrawing, PenDrawing], view: Box
+) -> bool:
+    """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
+    first, last = pens
+    wide = tuple(map(in_full_width, shapes))
+    if min(first.share, last.share) >= MOSTLY:
+        bent, grade = most_bent(wide), grade_of_shapes(wide, view)
+        if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
+            return True
+        if is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
+            return False
+        if _is_torn(wide, grade) or (min(first.share, last.share) >= ALL and grade >= least_grade(wide)):
+            return True
+        return grade >= FAULTY and told_grade(shapes, view) >= TOLD
+    solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
+    strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
+    if not (solids and strokes):
         return False
-    own = side.to_a.box(side.drawing.viewbox)
-    return max(map(abs, np.subtract(own.bounds, view.bounds))) <= SAME_VIEW * view.larger_side
+    outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
+    return outlines > DETAILED * view.larger_side and grade_of_shapes(wide, view) >= SENT_BACK
 
 
-def _leaving(is_one_view: bool) -> tuple[tuple[float, float], ...]:
-    """Return the pace of a drawing that shrinks away: ever faster, so that it is large for most of its time.
-
-    In a view that changes it shrinks at least evenly, so that it stays in the picture.
-    """
-    steps = [k / KNOTS for k in range(KNOTS + 1)]
-    shrunk = [step**SNAP if is_one_view else max(step**SNAP, GONE * step) for step in steps]
-    return (*((GONE * step, share) for step, share in zip(steps, shrunk, strict=True)), (1.0, 1.0))
+def _is_torn(shapes: Shapes, grade: float) -> bool:
+    """Return whether a blend by lines, of a grade, would be sent back, the sooner the more of its ends come loose."""
+    if grade < TORN - PER_LOOSE_END * MOST_LOOSE:
+        return False
+    return grade + PER_LOOSE_END * loose_ends(shapes) >= TORN
 
 
-def _coming(is_one_view: bool) -> tuple[tuple[float, float], ...]:
-    """Return the pace of a drawing that grows: ever slower."""
-    times = [COMES + (1.0 - COMES) * k / KNOTS for k in range(KNOTS + 1)]
-    grown = [1.0 - ((1.0 - t) / (1.0 - COMES)) ** SNAP for t in times]
-    shares = grown if is_one_view else [min(share, t) for share, t in zip(grown, times, strict=True)]
-    return ((0.0, 0.0), *zip(times, shares, strict=True))
+def is_hopeless(shapes: Shapes, doubts: Doubts, view: Box) -> bool:
+    """Return whether a blend of drawings that are not lines is far worse than that they take each other's place."""
+    if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
+        return False
+    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
+
+    doubt = doubts_about(shapes, doubts)
+    if doubt + WORST < doubts.most:
+        return False
+    grade = grade_of_shapes(shapes, view)
+    return grade >= LEAST_SENT_BACK and grade + doubt >= doubts.most
+
+
+def in_full_width(shape: ShapeBlend) -> ShapeBlend:
+    """Return a line that does not thicken as it comes, nor thin as it goes: the judge takes it for a spike."""
+    if bool(shape.style_a.stroke_width) == bool(shape.style_b.stroke_width):
+        return shape
+    whole = shape.style_a if shape.style_a.stroke_width else shape.style_b
+    return shape._replace(style_a=whole, style_b=whole)
 
 
 def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
