@@ -23,9 +23,6 @@ from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
-    IN_COLOURS,
-    IN_ONE_COLOUR,
-    LEAST_SENT_BACK,
     are_too_unlike,
     in_full_width,
     is_hopeless,
@@ -59,6 +56,9 @@ MARGIN = 0.8
 
 FAILS = 1.45
 """Minimum grade of a blend by lines that is likely to be sent back."""
+
+SHIPS = 1.2
+"""Maximum grade of a blend by outlines that is not sent back."""
 
 LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in grades."""
@@ -117,14 +117,11 @@ def blend_shapes(
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     outlined = with_outlines(a, b, settings, view)
-    is_of_one_colour = all(map(is_plain, outlined))
-    if is_of_one_colour:
+    if all(map(is_plain, outlined)):
         shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
     else:
         shapes = with_details_faded(shapes, view.larger_side)
-    if may_swap and is_hopeless(shapes, IN_ONE_COLOUR if is_of_one_colour else IN_COLOURS, view):
-        return swapped(a, b, settings, view)
-    return shapes
+    return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
 
 
 def _as_silhouettes(
@@ -226,7 +223,7 @@ def _by_lines_or_outlines(
     grade = grade_of_shapes(tuple(map(in_full_width, plain)), view)
     outlines = outlined(a, b, settings)
     other = grade_of_shapes(paced(outlines, by_size=False), view)
-    if other < grade - (LESS if grade >= FAILS and other < LEAST_SENT_BACK else MARGIN):
+    if other < grade - (LESS if grade >= FAILS and other < SHIPS else MARGIN):
         return paced(outlines)
     if is_swapped(given_way := swap(plain)):
         return given_way

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.grading.grade import Grade
+    from shapeblend_cli.grading.seen import Seen
     from shapeblend_cli.model import PictureArray, ShapeBlend
 
 STEPS = 6
@@ -43,11 +44,14 @@ def grade_of(pair: Pair) -> Grade:
 
 def told_grade(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return the grade of some shapes alone in a view, by which it is decided whether they are good enough."""
-    return grade_of(_alone(shapes, view)).number
+    from shapeblend_cli.grading.grade import grade_of_seen  # most blends are not graded
+
+    return SWAP_GRADE if is_swapped(shapes) else grade_of_seen(seen_of(shapes, view)).number
 
 
-def _alone(shapes: Sequence[ShapeBlend], view: Box) -> Pair:
-    return Pair(0, 1, tuple(shapes), ((), ()), (view, view))
+def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
+    """Return the sum of the faults of some shapes alone in a view, by which blends of them compare."""
+    return SWAP_GRADE if is_swapped(shapes) else _faults(_Same(tuple(shapes)), view)
 
 
 class _Same:
@@ -65,19 +69,24 @@ class _Same:
         return all(map(is_, self.shapes, other.shapes))
 
 
-def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
-    """Return the sum of the faults of some shapes alone in a view, by which blends of them compare."""
-    return _grade_alone(_Same(tuple(shapes)), view)
+def seen_of(shapes: Sequence[ShapeBlend], view: Box) -> Seen:
+    """Return what is seen of some shapes alone in a view."""
+    return _seen(_Same(tuple(shapes)), view)
 
 
 @lru_cache(maxsize=4)
-def _grade_alone(same: _Same, view: Box) -> float:
-    """Return `grade_of_shapes`: of the usual blend it is asked wherever another one is tried."""
+def _faults(same: _Same, view: Box) -> float:
     from shapeblend_cli.grading.grade import sum_of_faults  # most blends are not graded
 
-    if is_swapped(same.shapes):
-        return SWAP_GRADE
-    return sum_of_faults(_strip(_alone(same.shapes, view)))
+    return sum_of_faults(_seen(same, view))
+
+
+@lru_cache(maxsize=4)
+def _seen(same: _Same, view: Box) -> Seen:
+    """Return what is seen of shapes: of the usual blend it is asked wherever another one is tried."""
+    from shapeblend_cli.grading.grade import seen_in  # most blends are not graded
+
+    return seen_in(_strip(Pair(0, 1, same.shapes, ((), ()), (view, view))))
 
 
 def _strip(pair: Pair) -> list[PictureArray]:

@@ -15,6 +15,7 @@ from shapeblend_cli.grading.weights import BASE, GOOD, TOGETHER, WEIGHTS
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from shapeblend_cli.grading.seen import Seen
     from shapeblend_cli.model import FloatArray, PictureArray
 
 FRAMES = 7
@@ -70,11 +71,20 @@ class Grade(NamedTuple):
 
 
 def grade(strip: Sequence[PictureArray]) -> Grade:
-    """Grade a strip of three pictures or more, each (4, n, n), by regression trees; the reason is its worst fault.
+    """Grade a strip of three pictures or more, each (4, n, n)."""
+    return grade_of_seen(seen_in(strip))
+
+
+def seen_in(strip: Sequence[PictureArray]) -> Seen:
+    """Return what is seen in a strip of three pictures or more, each (4, n, n).
 
     If all corners of the first and the last picture have one opaque colour, this is taken for the ground.
     """
-    seen = look(_prepared(strip))
+    return look(_prepared(strip))
+
+
+def grade_of_seen(seen: Seen) -> Grade:
+    """Return the grade of what is seen, by regression trees; the reason is its worst fault."""
     if not seen.steps.any():
         return Grade(0.0, None)  # nothing changes, so nothing is wrong
     found = weighed(features(seen))
@@ -82,12 +92,12 @@ def grade(strip: Sequence[PictureArray]) -> Grade:
     return Grade(min(max(number, 0.0), WORST), found.why)
 
 
-def sum_of_faults(strip: Sequence[PictureArray]) -> float:
-    """Return the weighted sum of the faults of a strip, from 0 to 3, by which ways to blend two drawings compare.
+def sum_of_faults(seen: Seen) -> float:
+    """Return the weighted sum of the faults that are seen, from 0 to 3, by which ways to blend two drawings compare.
 
     It goes up evenly with every fault, as trees do not: their steps would decide between ways that are nearly the same.
     """
-    return weighed(features(look(_prepared(strip)))).number
+    return weighed(features(seen)).number
 
 
 def _prepared(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:

@@ -7,8 +7,17 @@ import pytest
 
 import shapeblend_cli as sb
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
+from shapeblend_cli.blending.swaps import unlike
 from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
-from shapeblend_cli.blending.swaps.unlike import IN_COLOURS, UNUSABLE, Doubts, doubts_about, loose_ends
+from shapeblend_cli.blending.swaps.unlike import (
+    FLAWED,
+    HOPELESS,
+    IN_COMMON,
+    PER_BENT,
+    UNUSABLE,
+    is_hopeless,
+    loose_ends,
+)
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.stagger import eased
 from shapeblend_cli.interpolate.paths import paths_at
@@ -207,7 +216,7 @@ def test_drawings_of_several_colours_that_would_be_shreds_make_room(a, b):
     (pair,) = sb.blend(*files).pairs
     assert is_swapped(pair.shapes)
     (other,) = sb.blend(*files, swap="never").pairs
-    assert doubts_about(other.shapes, IN_COLOURS) + grade_of(other).number >= IN_COLOURS.most
+    assert grade_of(other).number > SWAP_GRADE
 
 
 @pytest.mark.parametrize(("a", "b"), [("cat-face", "dog-face"), ("wolf", "fox"), ("egg", "hatching-chick")])
@@ -216,15 +225,35 @@ def test_drawings_whose_parts_have_partners_blend(a, b):
     assert not is_swapped(pair.shapes)
 
 
-def test_doubts_add_up_from_faults_bending_and_parts_alone():
+@pytest.mark.parametrize(
+    ("told", "bent", "covered", "is_worse"),
+    [
+        (HOPELESS, 0.0, 0.0, True),
+        (HOPELESS - 0.01, 0.0, 0.0, False),
+        (HOPELESS - PER_BENT, 1.0, 0.0, True),
+        (HOPELESS - PER_BENT - 0.01, 1.0, 0.0, False),
+        (HOPELESS + 0.5 * IN_COMMON + 0.01, 0.0, 0.5, True),
+        (HOPELESS + 0.5 * IN_COMMON - 0.01, 0.0, 0.5, False),
+    ],
+)
+def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, told, bent, covered, is_worse):
+    class Seen:
+        ink = np.array([[0.0, covered, 1.0 - covered], [1.0] * 3, [0.0, covered, 0.0]])
+
     (pair,) = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="never").pairs
-    none = Doubts(0.0, 0.0, 0.0, most=1.0)
-    assert doubts_about(pair.shapes, none) == 0.0
-    each = [doubts_about(pair.shapes, none._replace(**{name: 1.0})) for name in none._fields[:3]]
-    assert all(0.0 <= doubt <= 1.5 for doubt in each)
-    assert doubts_about(pair.shapes, IN_COLOURS) == pytest.approx(np.dot(each, IN_COLOURS[:3]))
-    alone = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="always").pairs[0].shapes
-    assert doubts_about(alone, none._replace(if_alone=1.0)) == pytest.approx(1.0)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FLAWED)
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: told)
+    monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
+    monkeypatch.setattr(unlike, "_main_bending", lambda shapes: bent)
+    assert is_hopeless(pair.shapes, pair.views[0]) == is_worse
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FLAWED - 0.01)
+    assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
+
+
+def test_a_single_outline_becomes_another_however_bad_that_looks(monkeypatch):
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    (pair,) = sb.blend("samples/bird-1.svg", "samples/bird-2.svg").pairs
+    assert not is_hopeless(pair.shapes, pair.views[0])
 
 
 def test_what_is_named_becomes_what_it_is_to_become():

@@ -6,11 +6,11 @@ reads as scrap on its way, however evenly it moves.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import grade_of_shapes, told_grade
+from shapeblend_cli.blending.graded import grade_of_shapes, seen_of, told_grade
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import are_near
@@ -81,8 +81,17 @@ TOLD = 1.6
 FAULTY = 1.0
 """Minimum sum of the faults of such a blend for trees to be asked."""
 
-LEAST_SENT_BACK = 1.2
-"""Minimum grade of a blend of drawings that are not lines for these to be swapped, whatever speaks against it."""
+FLAWED = 0.8
+"""Minimum sum of the faults of a blend of drawings that are not lines for trees to be asked."""
+
+PER_BENT = 0.26
+"""Increase of the grade that they tell for each radian by which the largest outline is bent."""
+
+IN_COMMON = 0.84
+"""Reduction of that grade if each drawing covers the other one."""
+
+HOPELESS = 1.65
+"""Minimum grade with these for the drawings to be swapped."""
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
@@ -118,21 +127,6 @@ DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
 
-class Doubts(NamedTuple):
-    """What speaks against a blend of drawings that are not lines, in grades that are added to its own."""
-
-    per_fault: float  # of the outline that is judged worst, at most 1
-    per_radian: float  # by which the largest outline is bent
-    if_alone: float  # where all parts of both drawings are without a partner
-    most: float  # grade with all this from which on the drawings are swapped
-
-
-IN_COLOURS = Doubts(per_fault=2.8, per_radian=0.46, if_alone=1.7, most=3.7)
-"""Doubts about a blend of drawings of several colours."""
-
-IN_ONE_COLOUR = Doubts(per_fault=5.0, per_radian=1.5, if_alone=3.5, most=5.5)
-"""Doubts about a blend of two drawings of one colour, whose outlines are all that one sees."""
-
 TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
 
@@ -167,17 +161,32 @@ def _is_torn(shapes: Shapes, grade: float) -> bool:
     return grade + PER_LOOSE_END * loose_ends(shapes) >= TORN
 
 
-def is_hopeless(shapes: Shapes, doubts: Doubts, view: Box) -> bool:
-    """Return whether a blend of drawings that are not lines is far worse than that they take each other's place."""
+def is_hopeless(shapes: Shapes, view: Box) -> bool:
+    """Return whether a blend of drawings that are not lines is worse than that they take each other's place.
+
+    That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common. A
+    single outline always becomes the other one.
+    """
     if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
         return False
-    from shapeblend_cli.grading.grade import WORST  # most blends are not graded
-
-    doubt = doubts_about(shapes, doubts)
-    if doubt + WORST < doubts.most:
+    if grade_of_shapes(shapes, view) < FLAWED:
         return False
-    grade = grade_of_shapes(shapes, view)
-    return grade >= LEAST_SENT_BACK and grade + doubt >= doubts.most
+    first, *_, last = seen_of(shapes, view).ink
+    covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
+    grade = told_grade(shapes, view) - IN_COMMON * covered
+    return grade >= HOPELESS - PER_BENT * WHOLLY and grade + PER_BENT * _main_bending(shapes) >= HOPELESS
+
+
+def _main_bending(shapes: Shapes) -> float:
+    """Return the spread of the turns along the largest outline with a partner, in radians, but at most `WHOLLY`.
+
+    It is 0 for one that turns as it is, and `WHOLLY` if none has a partner.
+    """
+    matched = [(shape, contour) for shape in shapes for contour in shape.contours if contour.is_matched]
+    if not matched:
+        return WHOLLY
+    shape, largest = max(matched, key=lambda each: sum(_areas(each[1])))
+    return 0.0 if shape.motion_name in TURNING else min(_bending(largest, 0.0), WHOLLY)
 
 
 def in_full_width(shape: ShapeBlend) -> ShapeBlend:
@@ -272,23 +281,6 @@ def _loose_ends(shapes: Sequence[ShapeBlend], copied: str, t: float) -> int:
         point = np.array([place])
         loose += not any(are_near(point, line, TOUCHES * 0.5 * (width + wide))[0] for line, wide in others)
     return loose
-
-
-def doubts_about(shapes: Shapes, doubts: Doubts) -> float:
-    """Return what speaks against a blend of drawings that are not lines, beside how it looks, in grades.
-
-    An outline that folds or strains, a main outline that is bent all along, and parts that come and go.
-    """
-    contours = [contour for shape in shapes for contour in shape.contours]
-    fault = max((shape.taken.wrong for shape in shapes if shape.taken is not None), default=0.0)
-    areas = np.array([_areas(contour) for contour in contours])
-    is_matched = np.array([contour.is_matched for contour in contours])
-    share = float((areas[~is_matched].sum(axis=0) / np.maximum(areas.sum(axis=0), 1e-9)).mean())
-    bent = WHOLLY
-    if is_matched.any():
-        largest = contours[int(np.argmax(np.where(is_matched, areas.sum(axis=1), -1.0)))]
-        bent = min(_bending(largest, 0.0), WHOLLY)
-    return doubts.per_fault * min(fault, 1.0) + doubts.per_radian * bent + doubts.if_alone * share
 
 
 def _areas(contour: ContourBlend) -> tuple[float, float]:
