@@ -16,7 +16,7 @@ from tools.grading.fit import rank_correlation
 
 BLENDS = Path(__file__).with_name("exchanges.tsv")
 
-LIMITS = (HOPELESS - 0.3, HOPELESS - 0.15, HOPELESS, HOPELESS + 0.15, HOPELESS + 0.3)
+LIMITS = tuple(HOPELESS + k * 0.15 for k in range(-2, 3))
 """Limits that are compared, in grades."""
 
 GOOD = 1.0
