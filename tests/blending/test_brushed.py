@@ -19,7 +19,7 @@ BAR = path(stroke(np.linspace(4.0 + 12.0j, 20.0 + 12.0j, 30), 1.5))
 
 def blended(a, b, **settings):
     """Two drawings, blended."""
-    (pair,), _ = match_all([drawing(a), drawing(b)], Settings(**settings))
+    (pair,), _ = match_all([drawing(a), drawing(b)], Settings(swap="never", **settings))
     return pair
 
 

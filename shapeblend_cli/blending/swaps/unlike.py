@@ -165,9 +165,12 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings that are not lines is worse than that they take each other's place.
 
     That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common. A
-    single outline always becomes the other one.
+    single outline always becomes the other one, what turns as a whole is seen to be the same, and so is a plate in
+    which lines become each other.
     """
     if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
+        return False
+    if any(map(_is_inlaid, shapes)) or all(shape.motion_name in TURNING for shape in shapes):
         return False
     if grade_of_shapes(shapes, view) < FLAWED:
         return False
@@ -175,6 +178,11 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
     grade = told_grade(shapes, view) - IN_COMMON * covered
     return grade >= HOPELESS - PER_BENT * WHOLLY and grade + PER_BENT * _main_bending(shapes) >= HOPELESS
+
+
+def _is_inlaid(shape: ShapeBlend) -> bool:
+    """Return whether a shape is a plate with lines that are cut out of it."""
+    return shape.motion_name == "pen" and shape.style_a.fill is not None
 
 
 def _main_bending(shapes: Shapes) -> float:

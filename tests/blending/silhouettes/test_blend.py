@@ -39,7 +39,7 @@ EYE = "M{0} 50V54H{1}V50Z"
 
 def two(a=TORTOISE, b=TURTLE, **settings):
     drawings = [drawing(path, viewbox="0 0 64 64") for path in (a, b)]
-    return pair_of(*drawings, **settings)
+    return pair_of(*drawings, swap="never", **settings)
 
 
 def ink(pair, t):
