@@ -9,7 +9,7 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
-from shapeblend_cli.blending.pairings import with_better_pairs, with_steps_kept
+from shapeblend_cli.blending.pairings import with_better_pairs
 from shapeblend_cli.blending.parts.faded import with_details_faded
 from shapeblend_cli.blending.parts.paced import KEPT, with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
@@ -63,6 +63,10 @@ SHIPS = 1.2
 LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in grades."""
 
+MOST_STEPS = 1000
+"""Maximum number of steps of a blend that are kept for the others that are tried: many pairs and matches are the
+same."""
+
 
 def blend_shapes(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
@@ -95,6 +99,8 @@ def blend_shapes(
         lines = _lines(a, b, pens, settings, view)
     progress.clock.lap("match")
 
+    if _is_free(settings):
+        progress = progress.keeping(MOST_STEPS)
     may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
     may_swap = may_swap and (lines is None or lines.kept < KEPT)
 
@@ -137,7 +143,7 @@ def _as_silhouettes(
     special = with_brushes(a, b, settings, view, special)
     if special is not usual:
         return special
-    pair = partial(pair_drawings, a, b, settings, 0.0, progress)
+    pair = partial(_paired, a, b, settings, progress)
     move = partial(_blended_and_paced, view=view)
     are_single = len(a.contours) == len(b.contours) == 1
     shapes = with_crossings_undone(usual, pair, move, view) if are_single else usual
@@ -243,14 +249,29 @@ def _by_outlines(
         if inlaid is not None:
             return tuple(inlaid)
     sides = with_outlines(a, b, settings, view)
-    contours = [*sides[0].contours, *sides[1].contours]
-    works: dict[tuple[int, int], float] = progress.once("works", contours, len(sides[0].contours), dict)
-    paired = with_steps_kept(pair_drawings(*sides, settings, 0.0, progress, rates=Rates(works=works)))
+    works = _works(*sides, progress)
+    paired = _paired(*sides, settings, progress)
     shapes = move(paired)
     if _is_free(settings):
         paired, shapes = with_better_pairs(paired, shapes, move, view, works)
         paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=may_cut)
     return _with_bodies(paired, shapes, view)
+
+
+def _paired(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, progress: Progress) -> PairedDrawings:
+    """Pair the contours of two drawings as usual, if that is not done yet."""
+    contours = [*a.contours, *b.contours]
+
+    def pair() -> PairedDrawings:
+        return pair_drawings(a, b, settings, 0.0, progress, rates=Rates(works=_works(a, b, progress)))
+
+    given = len(a.contours), repr(settings)
+    return progress.once("pairs", contours, given, pair)._replace(progress=progress)
+
+
+def _works(a: PlacedDrawing, b: PlacedDrawing, progress: Progress) -> dict[tuple[int, int], float]:
+    """Return the costs of work that pairings of two drawings have found so far, by the numbers of contours."""
+    return progress.once("works", [*a.contours, *b.contours], len(a.contours), dict)
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

@@ -132,9 +132,8 @@ class PairedDrawings(NamedTuple):
             blend = self.copies.matched(pair, rotation, search) if self.copies and is_free else search()
             return blend._replace(seconds=self.progress.clock.lap("match"))
 
-        return Match(
-            pair, self.progress.once("match", pair, (required, rotation, self._unnamed_settings), solve)
-        )
+        given = required, rotation, self._settings_of_matches
+        return Match(pair, self.progress.once("match", pair, given, solve))
 
     def match_again(self, shape: ShapeBlend, rotation: float) -> ShapeBlend:
         """Match the contours of a shape for another angle."""
@@ -169,11 +168,16 @@ class PairedDrawings(NamedTuple):
 
     @property
     def _unnamed_settings(self) -> str:
-        """The settings that matches depend on, without those that are in the constraints of each pair.
+        """The settings that motions depend on, without those that are in the constraints of each pair.
 
         Nothing where no steps are kept by them.
         """
         return _unnamed(self.settings) if self.progress.steps.keeps else ""
+
+    @property
+    def _settings_of_matches(self) -> str:
+        """The same without the motion, which matches do not depend on."""
+        return _unnamed(self.settings.replace(motion="auto")) if self.progress.steps.keeps else ""
 
 
 @lru_cache(maxsize=8)

@@ -88,16 +88,8 @@ FARTHEST = 3.0
 ALIKE = 0.05
 """Maximum difference of colours that are the same, in delta E OK."""
 
-MOST_STEPS = 1000
-"""Maximum number of steps that are kept for the other pairings."""
-
 AFFORDABLE = 80
 """Maximum number of contours of a drawing of which other pairings are tried."""
-
-
-def with_steps_kept(paired: PairedDrawings) -> PairedDrawings:
-    """Let a blend keep its steps where other pairings may be tried: most of the pairs are in all of them."""
-    return paired._replace(progress=paired.progress.keeping(MOST_STEPS)) if _has_others(paired) else paired
 
 
 def with_better_pairs(

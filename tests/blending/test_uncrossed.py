@@ -2,9 +2,10 @@
 
 import pytest
 
-from shapeblend_cli.blending import uncrossed
+from shapeblend_cli.blending import matched, uncrossed
 from shapeblend_cli.blending.uncrossed import Fault, fault_of, with_crossings_undone
 from shapeblend_cli.motion.rigid import Whole
+from shapeblend_cli.wires.match import match_contours
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -76,3 +77,16 @@ def test_less_is_wrong_only_where_nothing_more_is():
     assert Fault(1, False).is_less(Fault(2, False))
     assert not Fault(1, True).is_less(Fault(2, False))
     assert not Fault(2, False).is_less(Fault(2, False))
+
+
+def test_ways_that_match_alike_are_matched_once(monkeypatch):
+    made = []
+
+    def match(a, b, settings, constraints, rotation=0.0, watch=None):
+        made.append((a.number, b.number, settings.k_t, settings.k_b, rotation))
+        return match_contours(a, b, settings, constraints, rotation, watch)
+
+    monkeypatch.setattr(matched, "match_contours", match)
+    monkeypatch.setattr(uncrossed, "WAYS", uncrossed.WAYS[-1:])
+    assert fault(G, DOWN) == Fault()
+    assert len(made) == len(set(made)) == 3
