@@ -61,6 +61,10 @@ LITTLE = 0.02
 MOST = 12
 """Maximum number of contours of a drawing for which other ways are tried."""
 
+MOST_CROSSED = 7
+"""Maximum number of times at which contours cross themselves, over all of these, for other ways to be tried: what does
+so nearly always does it in any way."""
+
 AFFORDABLE = 1_000_000
 """Maximum number of dots in the graphs of all pairs of contours and of all ways together; else only some of each group
 are tried."""
@@ -87,7 +91,7 @@ def with_crossings_undone(
     if is_swapped(usual) or any(map(_is_other, usual)) or not _are_suspect(usual):
         return usual
     fault = fault_of(usual)
-    if not any(fault):
+    if not any(fault) or fault.crossed > MOST_CROSSED:
         return usual
     paired = pair()
     if paired.is_fixed or max(len(paired.a.contours), len(paired.b.contours)) > MOST:

@@ -79,6 +79,11 @@ def test_less_is_wrong_only_where_nothing_more_is():
     assert not Fault(2, False).is_less(Fault(2, False))
 
 
+def test_no_other_way_is_tried_where_outlines_cross_nearly_always(monkeypatch):
+    monkeypatch.setattr(uncrossed, "MOST_CROSSED", 1)
+    assert fault(G, DOWN).crossed > 1
+
+
 def test_ways_that_match_alike_are_matched_once(monkeypatch):
     made = []
 
