@@ -159,11 +159,15 @@ def _in_outline_alone(
     a: PlacedDrawing,
     b: PlacedDrawing,
     wanted: list[tuple[int, int]],
+    most: float,
 ) -> tuple[Shapes, float]:
-    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted, and grade that."""
+    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted, and grade that.
+
+    Given is the grade up to which the blend is taken.
+    """
     move = partial(_blended, view=view)
     paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
-    return with_points_nearer(paired, move(paired), move, view)
+    return with_points_nearer(paired, move(paired), move, view, most)
 
 
 def _in_outlines(

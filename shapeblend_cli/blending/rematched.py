@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from shapeblend_cli.blending.graded import grade_of_shapes, is_suspect
 from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.blending.pairings import partners_in
@@ -16,7 +18,7 @@ from shapeblend_cli.blending.plates.inverted import is_plain
 from shapeblend_cli.pairing.costs import Rates
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.matched import PairedDrawings
     from shapeblend_cli.model import Box, ShapeBlend
@@ -37,6 +39,10 @@ NEARER = 0.12
 
 TORN = 0.35
 """Minimum advantage of a blend in which outlines are cut to pieces, in grades: the judge hardly sees its slots."""
+
+HOPELESS = 0.5
+"""Minimum excess over the grade up to which a blend is taken for no other stiffness to be tried: hardly any gains that
+much by one."""
 
 FAR = 0.25
 """Maximum distance from a piece to its partner, in sizes of the largest contour."""
@@ -83,37 +89,52 @@ def with_other_matches(
     found = least if least.grade < first.grade - NEARER else first
     pieces = _in_pieces(paired, works) if may_cut else None
     if pieces is not None:
-        stiffnesses = sorted({paired.settings.k_t, least.paired.settings.k_t})
-        cut = min((_graded(_stiffer(pieces, each), move, view) for each in stiffnesses), key=_number)
-        if cut.grade < found.grade - TORN:
+        lowest, *other = sorted({paired.settings.k_t, least.paired.settings.k_t})
+        most = found.grade - TORN
+        cut = _best(_graded(_stiffer(pieces, lowest), move, view), other, move, view, most)
+        if cut.grade < most:
             found = cut
     return found.paired, found.shapes
 
 
 def with_points_nearer(
-    paired: PairedDrawings, usual: Shapes, move: Callable[[PairedDrawings], Shapes], view: Box
+    paired: PairedDrawings, usual: Shapes, move: Callable[[PairedDrawings], Shapes], view: Box, most: float
 ) -> tuple[Shapes, float]:
     """Return the blend of paired drawings, or one whose points stay nearer to their places if that looks better.
 
-    `move` blends paired drawings. However good the blend is, others are tried. Its parts without a partner leave early
-    and come late; its grade is returned with it.
+    `move` blends paired drawings. However good the blend is, others are tried, unless it is far from the grade up to
+    which it is taken. Its parts without a partner leave early and come late; its grade is returned with it.
     """
     first = _Graded.of(paired, usual, view)
-    least = _nearer(first, move, view)
+    least = _nearer(first, move, view, most)
     found = least if least.grade < first.grade - NEARER else first
     return found.paced, found.grade
 
 
-def _nearer(usual: _Graded, move: Callable[[PairedDrawings], Shapes], view: Box) -> _Graded:
+def _nearer(
+    usual: _Graded, move: Callable[[PairedDrawings], Shapes], view: Box, most: float = np.inf
+) -> _Graded:
     """Return the best one of a blend and those whose points stay nearer to their places."""
     if usual.paired.settings.is_given("k_t"):
         return usual
-    others = [_graded(_stiffer(usual.paired, stiffness), move, view) for stiffness in IN_PLACE]
-    return min([usual, *others], key=_number)
+    return _best(usual, IN_PLACE, move, view, most)
 
 
-def _number(graded: _Graded) -> float:
-    return graded.grade
+def _best(
+    first: _Graded,
+    stiffnesses: Sequence[float],
+    move: Callable[[PairedDrawings], Shapes],
+    view: Box,
+    most: float,
+) -> _Graded:
+    """Return the best one of a blend and those with other stiffnesses, which is taken up to a grade."""
+    least = first
+    for stiffness in stiffnesses:
+        if least.grade > most + HOPELESS:
+            break
+        other = _graded(_stiffer(first.paired, stiffness), move, view)
+        least = other if other.grade < least.grade else least
+    return least
 
 
 def _graded(paired: PairedDrawings, move: Callable[[PairedDrawings], Shapes], view: Box) -> _Graded:

@@ -2,6 +2,8 @@
 
 from shapeblend_cli.blending import rematched
 from shapeblend_cli.blending.graded import grade_of_shapes
+from shapeblend_cli.blending.matched import PairedDrawings
+from shapeblend_cli.options.settings import Settings
 from tests.support.drawings import drawing
 from tests.support.motions import pair_of
 
@@ -65,3 +67,23 @@ def test_outlines_that_look_right_are_not_matched_again(monkeypatch):
     monkeypatch.setattr(rematched, "grade_of_shapes", fail)
     bars = drawing('<path d="M4 24h40v12H4z"/>'), drawing('<path d="M4 20h40v18H4z"/><path d="M8 2h9v9H8z"/>')
     assert alone(pair_of(*bars)) == 1
+
+
+def test_no_other_stiffness_is_tried_far_from_the_grade_that_is_wanted(monkeypatch):
+    tried = []
+
+    def graded(paired, move, view):
+        tried.append(paired.settings.k_t)
+        return usual._replace(grade=1.8)
+
+    monkeypatch.setattr(rematched, "_graded", graded)
+    usual = rematched._Graded(2.0, _paired_with(7.0), (), ())
+    assert rematched._best(usual, (20.0, 60.0), None, None, most=1.4).grade == 2.0
+    assert tried == []
+    assert rematched._best(usual, (20.0, 60.0), None, None, most=1.5).grade == 1.8
+    assert tried == [20.0, 60.0]
+
+
+def _paired_with(stiffness):
+    settings = Settings(k_t=stiffness)
+    return PairedDrawings(None, None, 0.0, {}, (), ({}, {}), (), settings, None)

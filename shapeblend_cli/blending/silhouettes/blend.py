@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     Shapes = tuple[ShapeBlend, ...]
     Wanted = list[tuple[int, int]]
-    Blend = Callable[[PlacedDrawing, PlacedDrawing, Wanted], tuple[Shapes, float]]
+    Blend = Callable[[PlacedDrawing, PlacedDrawing, Wanted, float], tuple[Shapes, float]]
 
 DETAILED = 5.0
 """Minimum length of the outlines of a drawing that may be torn, in sides of the view."""
@@ -130,25 +130,33 @@ def with_silhouettes(
     """Return the blend in which gaps close and open, if that of the silhouettes looks far better than the usual one.
 
     The drawings are plain, see `is_plain`; `blend` blends two of them, with pairs of contours that are wanted, and
-    grades that.
+    grades that, given the grade up to which it is taken.
     """
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS or not _may_be_torn(a, b, view, usual):
         return usual
     grade = grade_of_shapes(usual, view)
     rim = cache(partial(_rim, (a, b), SPACING * view.larger_side))
+    # No grade is below 0.
+    widths = [
+        width
+        for width in WIDTHS
+        if grade >= max(width.least, width.better) and is_suspect(usual, width.fault)
+    ]
 
     @cache
     def closed(radius: float) -> tuple[tuple[_Side, _Side], Shapes, float] | None:
         sides = _sides(a, b, rim, settings, view.larger_side, radius)
         if sides is None:
             return None
-        return sides, *blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides))
+        most = max(limit(width) for width in widths if width.radius == radius)
+        return sides, *blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides), most)
 
-    for width in WIDTHS:
-        if grade < max(width.least, width.better) or not is_suspect(usual, width.fault):
-            continue  # no grade is below 0
+    def limit(width: Width) -> float:
+        return min(width.most, grade - width.better)
+
+    for width in widths:
         found = closed(width.radius)
-        if found is None or found[2] > min(width.most, grade - width.better):
+        if found is None or found[2] > limit(width):
             continue
         sides, shapes, _ = found
         riding = (_riding(shapes, sides, view.larger_side),)
