@@ -2,7 +2,8 @@
 
 A blend here is two drawings of one contour read, blended, and written as an animated SVG. Other tools get the same path
 data and write `FRAMES` in-betweens. Times are of the processor; what a tool takes to start does not count, and node has
-compiled what it runs often.
+compiled what it runs often. All take turns, and multiples are of what flubber takes in the same turn: the clock of the
+processor changes its speed.
 """
 
 from __future__ import annotations
@@ -12,10 +13,9 @@ import tempfile
 from functools import wraps
 from importlib import import_module
 from pathlib import Path
+from statistics import median
 from time import process_time
 from typing import TYPE_CHECKING, Any
-
-import numpy as np
 
 import shapeblend_cli
 from tools.quality.data import icon_pairs
@@ -34,10 +34,10 @@ EVERY = 5
 """One pair in this many is measured."""
 
 ROUNDS = 7
-"""Number of times that each blend is made; the fastest counts."""
+"""Number of turns; their median counts."""
 
 MANY = 8
-"""Number of times that a library blends all pairs in the longer of two runs; the shorter has one."""
+"""Number of times that a library blends all pairs in the longer of two runs of a turn; the shorter has one."""
 
 STAGES = {
     "read": ("svg.reading.read", "read"),
@@ -89,43 +89,44 @@ class Stages:
         return timed
 
 
-def ours(pairs: Sequence[Pair], folder: Path) -> dict[str, float]:
-    """Return the seconds of the stages of a blend, the rest and the whole: means over the pairs."""
-    drawings = [(folder / row["a"], folder / row["b"]) for row in written(pairs, folder)]
+class Ours:
+    """Blends of pairs by shapeblend, whose drawings are in a folder."""
 
-    def blend(a: Path, b: Path) -> float:
+    def __init__(self, pairs: Sequence[Pair], folder: Path) -> None:
+        self._drawings = [(folder / row["a"], folder / row["b"]) for row in written(pairs, folder)]
+        self._target = folder / "moving.svg"
+        self._stages = Stages()
+        self._blend_all()
+        self._stages.watch()
+
+    def turn(self) -> dict[str, float]:
+        """Blend all pairs; return the seconds of the stages of a blend, the rest and the whole, on average."""
+        self._stages.seconds = dict.fromkeys(STAGES, 0.0)
         began = process_time()
-        shapeblend_cli.blend(a, b).save(folder / "moving.svg", force=True)
-        return process_time() - began
+        self._blend_all()
+        whole = process_time() - began
+        seconds = {
+            **self._stages.seconds,
+            "the rest": whole - sum(self._stages.seconds.values()),
+            "a blend": whole,
+        }
+        return {name: taken / len(self._drawings) for name, taken in seconds.items()}
 
-    for drawing in drawings:
-        blend(*drawing)
-    stages = Stages()
-    stages.watch()
-    best: list[dict[str, float]] = []
-    for drawing in drawings:
-        runs = []
-        for _ in range(ROUNDS):
-            stages.seconds = dict.fromkeys(STAGES, 0.0)
-            whole = blend(*drawing)
-            runs.append(
-                {**stages.seconds, "the rest": whole - sum(stages.seconds.values()), "a blend": whole}
-            )
-        best.append(min(runs, key=lambda run: run["a blend"]))
-    return {stage: float(np.mean([run[stage] for run in best])) for stage in best[0]}
+    def _blend_all(self) -> None:
+        for a, b in self._drawings:
+            shapeblend_cli.blend(a, b).save(self._target, force=True)
 
 
 def others(pairs: Sequence[Pair], folder: Path) -> dict[str, float]:
-    """Return the seconds of a blend by other tools, starting apart: means over the pairs."""
+    """Return the seconds of a blend by other tools, starting apart, on average over the pairs."""
     seconds = {}
     for library in LIBRARIES:
         run = theirs(library, [k / (FRAMES + 1) for k in range(1, FRAMES + 1)])
-        once, often = (min(run([*pairs] * times, folder) for _ in range(3)) for times in (1, 1 + MANY))
+        once, often = (run([*pairs] * times, folder) for times in (1, 1 + MANY))
         seconds[library.name] = (often - once) / (MANY * len(pairs))
     began = process_time()
-    for _ in range(ROUNDS):
-        arc_length.blends([*pairs])
-    seconds[arc_length.NAME] = (process_time() - began) / (ROUNDS * len(pairs))
+    arc_length.blends([*pairs])
+    seconds[arc_length.NAME] = (process_time() - began) / len(pairs)
     return seconds
 
 
@@ -135,11 +136,13 @@ def main() -> None:
         return
     pairs = icon_pairs("single")[::EVERY]
     with tempfile.TemporaryDirectory() as folder:
-        seconds = {**ours(pairs, Path(folder)), **others(pairs, Path(folder))}
-    unit = seconds[flubber.NAME]
+        blends = Ours(pairs, Path(folder))
+        turns = [{**blends.turn(), **others(pairs, Path(folder))} for _ in range(ROUNDS)]
     print(f"processor time of a blend in a warm process, mean of {len(pairs)} pairs of one contour")
-    for name, taken in seconds.items():
-        print(f"{name:28}{1000 * taken:8.2f} ms{taken / unit:8.2f} times flubber")
+    for name in turns[0]:
+        taken = median(turn[name] for turn in turns)
+        times = median(turn[name] / turn[flubber.NAME] for turn in turns)
+        print(f"{name:28}{1000 * taken:8.2f} ms{times:8.2f} times flubber")
 
 
 if __name__ == "__main__":
