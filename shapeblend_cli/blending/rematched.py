@@ -31,8 +31,12 @@ FLAWED = 0.95
 LARGE = 0.5
 """Minimum size of a shape with wrong outlines, in sides of the view: the grade hardly depends on smaller ones."""
 
-IN_PLACE = (20.0, 60.0)
-"""Stiffnesses against travel that are tried, with which points stay nearer to their places."""
+IN_PLACE = (60.0, 20.0)
+"""Stiffnesses against travel that are tried, with which points stay nearer to their places, the highest first."""
+
+GAINING = 0.05
+"""Minimum advantage of a blend with one of them for the next one to be tried, in grades: where the highest gains less,
+the other one hardly ever gains `NEARER`."""
 
 NEARER = 0.12
 """Minimum advantage of a blend whose points stay nearer to their places for it to be taken, in grades."""
@@ -134,6 +138,8 @@ def _best(
             break
         other = _graded(_stiffer(first.paired, stiffness), move, view)
         least = other if other.grade < least.grade else least
+        if other.grade > first.grade - GAINING:
+            break
     return least
 
 

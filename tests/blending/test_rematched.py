@@ -1,5 +1,7 @@
 """Outlines in which much goes wrong are matched in another way where that looks better."""
 
+import pytest
+
 from shapeblend_cli.blending import rematched
 from shapeblend_cli.blending.graded import grade_of_shapes
 from shapeblend_cli.blending.matched import PairedDrawings
@@ -69,19 +71,23 @@ def test_outlines_that_look_right_are_not_matched_again(monkeypatch):
     assert alone(pair_of(*bars)) == 1
 
 
-def test_no_other_stiffness_is_tried_far_from_the_grade_that_is_wanted(monkeypatch):
+@pytest.mark.parametrize(
+    ("most", "grade", "stiffnesses"),
+    [(1.4, 1.8, []), (1.5, 1.8, [60.0, 20.0]), (1.5, 1.96, [60.0]), (1.5, 2.3, [60.0])],
+)
+def test_no_other_stiffness_is_tried_where_little_is_gained_or_much_would_have_to_be(
+    monkeypatch, most, grade, stiffnesses
+):
     tried = []
+    usual = rematched._Graded(2.0, _paired_with(7.0), (), ())
 
     def graded(paired, move, view):
         tried.append(paired.settings.k_t)
-        return usual._replace(grade=1.8)
+        return usual._replace(grade=grade)
 
     monkeypatch.setattr(rematched, "_graded", graded)
-    usual = rematched._Graded(2.0, _paired_with(7.0), (), ())
-    assert rematched._best(usual, (20.0, 60.0), None, None, most=1.4).grade == 2.0
-    assert tried == []
-    assert rematched._best(usual, (20.0, 60.0), None, None, most=1.5).grade == 1.8
-    assert tried == [20.0, 60.0]
+    assert rematched._best(usual, (60.0, 20.0), None, None, most).grade == min([2.0, *(grade for _ in tried)])
+    assert tried == stiffnesses
 
 
 def _paired_with(stiffness):
