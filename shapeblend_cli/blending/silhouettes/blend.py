@@ -143,13 +143,21 @@ def with_silhouettes(
         if grade >= max(width.least, width.better) and is_suspect(usual, width.fault)
     ]
 
+    blends: dict[object, tuple[Shapes, float]] = {}
+
     @cache
     def closed(radius: float) -> tuple[tuple[_Side, _Side], Shapes, float] | None:
         sides = _sides(a, b, rim, settings, view.larger_side, radius)
         if sides is None:
             return None
-        most = max(limit(width) for width in widths if width.radius == radius)
-        return sides, *blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides), most)
+        # Wider gaps may be in parts of their own, and leave the silhouettes as they were.
+        outlines = tuple(
+            tuple(c.contour.segments.tobytes() for c in side.silhouette.contours) for side in sides
+        )
+        if outlines not in blends:
+            most = max(limit(width) for width in widths if width.radius == radius)
+            blends[outlines] = blend(sides[0].silhouette, sides[1].silhouette, _wanted(sides), most)
+        return sides, *blends[outlines]
 
     def limit(width: Width) -> float:
         return min(width.most, grade - width.better)

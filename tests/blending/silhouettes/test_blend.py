@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from shapeblend_cli.blending import rematched
+from shapeblend_cli.blending import blended, rematched
 from shapeblend_cli.blending.graded import grade_of, grade_of_shapes
 from shapeblend_cli.blending.silhouettes import blend
 from shapeblend_cli.blending.silhouettes.blend import CLOSED, Width
@@ -240,3 +240,17 @@ def test_what_becomes_a_plain_shape_closes_its_holes_as_they_are(always, monkeyp
     assert not closes(two(bars, triangle))
     monkeypatch.setattr(blend, "PLAIN", 0.0)
     assert closes(two(bars, triangle))
+
+
+def test_silhouettes_that_wider_gaps_leave_as_they_are_are_blended_once(monkeypatch):
+    def in_outline_alone(*arguments):
+        made.append(arguments)
+        return (), 9.0
+
+    made = []
+    monkeypatch.setattr(blended, "_in_outline_alone", in_outline_alone)
+    monkeypatch.setattr(
+        blend, "WIDTHS", [Width(radius, 0.0, 0.0, 3.0, 0.0) for radius in (0.03, 0.03 + 1e-9)]
+    )
+    assert not closes(two())
+    assert len(made) == 1
