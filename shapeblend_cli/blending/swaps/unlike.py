@@ -90,7 +90,7 @@ PER_BENT = 0.26
 IN_COMMON = 0.84
 """Reduction of that grade if each drawing covers the other one."""
 
-HOPELESS = 1.6
+HOPELESS = 1.55
 """Minimum grade with these for the drawings to be swapped."""
 
 WAVY = 2.0 * np.pi
