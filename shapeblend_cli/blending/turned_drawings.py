@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, points_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.choose import candidate_of
@@ -92,7 +93,7 @@ def turned_as_a_whole(
     keeps = turned is way or _keeps_its_parts(beside, lambda points: turned.undo(way.apply(points)))
     if keeps and grade_of_shapes(beside, view) <= LITTLE_LEFT:
         return carried(beside, turned, TURNED)
-    if turned is way or _is_clean(as_usual, view):
+    if turned is way or (not is_swapped(as_usual) and _is_clean(as_usual, view)):
         return as_usual
     return carried(blend(a, turned_back(b, way)), way, TURNED_OVER)
 

@@ -14,7 +14,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     HOPELESS,
     IN_COMMON,
     PER_BENT,
-    UNUSABLE,
+    TOLD,
     is_hopeless,
     loose_ends,
 )
@@ -77,7 +77,7 @@ def test_lines_that_would_tangle_make_room_though_rings_may_bend(tmp_path):
     (pair,) = sb.blend(*files).pairs
     assert is_swapped(pair.shapes)
     (other,) = sb.blend(*files, swap="never").pairs
-    assert grade_of(other).number >= UNUSABLE
+    assert grade_of(other).number >= TOLD
 
 
 SHEETS = "M11.25 4.25v-2.5h-9.5v9.5h2.5m.5-6.5v9.5h9.5v-9.5z"
@@ -112,6 +112,31 @@ def test_lines_whose_ends_would_come_loose_make_room(tmp_path):
 def test_ends_are_not_loose_that_turn_or_are_free_in_a_drawing(a, b):
     (pair,) = blended(f"lucide/{a}", f"lucide/{b}").pairs
     assert loose_ends(pair.shapes) == 0
+
+
+LINK = (
+    "M10 13a5 5 0 0 0 7.54.54l3-3a5 5 0 0 0-7.07-7.07l-1.72 1.71",
+    "M14 11a5 5 0 0 0-7.54-.54l-3 3a5 5 0 0 0 7.07 7.07l1.71-1.71",
+)
+MENU = "M3 6H21", "M3 12H21", "M3 18H21"
+ARROW = "M12 5V19", "M5 12L12 5L19 12"
+
+
+@pytest.mark.parametrize(
+    ("lines", "others", "makes_room"),
+    [(LINK, ("M20 6L9 17L4 12",), True), (MENU, ARROW, False)],
+    ids=["dabs", "bars"],
+)
+def test_lines_that_are_bent_all_along_make_room_though_bars_and_chevrons_do_not(
+    tmp_path, lines, others, makes_room
+):
+    stroke = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
+    files = tmp_path / "a.svg", tmp_path / "b.svg"
+    for file, side in zip(files, (lines, others), strict=True):
+        drawn = "".join(f'<path d="{d}" {stroke}/>' for d in side)
+        file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24">{drawn}</svg>')
+    (pair,) = sb.blend(*files).pairs
+    assert is_swapped(pair.shapes) is makes_room
 
 
 @pytest.mark.parametrize(("a", "b"), RELATED)

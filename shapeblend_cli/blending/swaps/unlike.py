@@ -13,6 +13,7 @@ import numpy as np
 from shapeblend_cli.blending.graded import grade_of_shapes, seen_of, told_grade
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import are_near
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import Box
@@ -37,34 +38,43 @@ BENT = 0.6
 """Maximum spread of the turns along a line where much else comes and goes, in radians."""
 
 WHOLLY = 1.5
-"""Maximum spread of turns that makes a difference, in radians."""
+"""Maximum spread of turns that makes a difference to drawings that are not lines, in radians."""
 
 MOST_ALONE = 0.28
 """Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
 
-UNREADABLE = 1.35
-"""Minimum grade of a blend of two signs, where lines that split or come and go are bent, for them to be swapped."""
-
 SENT_BACK = 1.2
-"""Minimum grade of a blend of two signs, a line of which is bent very much, or of one that shrivels to a stroke."""
+"""Minimum grade of a blend that shrivels to a stroke for the drawings to be swapped."""
 
-UNUSABLE = 2.0
-"""Minimum grade by the judge of a blend of drawings that are mostly lines for these to be swapped if none is bent."""
+FAULTY = 0.8
+"""Minimum sum of the faults of a blend of drawings that are mostly lines for trees to be asked how good it is."""
 
-CURVED = 0.3
-"""Minimum spread of the turns along a line of such a blend for it to be graded, in radians."""
+TOLD = 1.3
+"""Minimum grade that trees tell of such a blend, with its loose ends, for the drawings to be swapped."""
 
-PER_RADIAN = 0.3
-"""Reduction of that grade for each radian by which a line is bent, in grades."""
+TOLD_IF_BENT = 1.05
+"""The same where a line is bent very much: what becomes of it cannot be read."""
 
-TORN = 1.85
-"""Minimum grade of a blend of drawings that are mostly lines for these to be swapped, with its loose ends."""
+TOLD_IF_SIMPLE = 1.6
+"""The same where most of one drawing lies on the other one, or where all lines are simple: these can be read."""
 
-PER_LOOSE_END = 0.3
+TOLD_IF_SPLIT = 1.8
+"""The same where all lines split, join, come or go: trees do not know that they are to do so."""
+
+MOST_SIMPLE = 6
+"""Maximum number of simple lines of both drawings together: those of pixel art are more."""
+
+PER_LOOSE_END = 0.15
 """Increase of that grade for each end that comes loose."""
 
 MOST_LOOSE = 2
 """Maximum number of loose ends that make a difference."""
+
+LEG = 0.98
+"""Minimum length of the legs of a bar or a chevron, as a share of its own."""
+
+ROUND = 0.9
+"""Minimum area of a ring that is a circle, as a share of that of a circle as long."""
 
 LOOSE_TIMES = tuple(k / 8 for k in range(9))
 """Times at which loose ends of lines are counted, both drawings among them."""
@@ -74,12 +84,6 @@ TOUCHES = 0.55
 
 OWN = 1.5
 """Length of a line beside its own end that this cannot touch, in widths."""
-
-TOLD = 1.6
-"""Minimum grade that trees tell of a blend of drawings that are mostly lines for these to be swapped."""
-
-FAULTY = 1.0
-"""Minimum sum of the faults of such a blend for trees to be asked."""
 
 FLAWED = 0.8
 """Minimum sum of the faults of a blend of drawings that are not lines for trees to be asked."""
@@ -136,29 +140,27 @@ def are_too_unlike(
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
-    wide = tuple(map(in_full_width, shapes))
-    if min(first.share, last.share) >= MOSTLY:
-        bent, grade = most_bent(wide), grade_of_shapes(wide, view)
-        if bent >= CURVED and grade >= UNUSABLE - PER_RADIAN * bent:
-            return True
-        if is_covered(first.lines, last.lines) or is_covered(last.lines, first.lines):
-            return False
-        if _is_torn(wide, grade) or (min(first.share, last.share) >= ALL and grade >= least_grade(wide)):
-            return True
-        return grade >= FAULTY and told_grade(shapes, view) >= TOLD
+    share = min(first.share, last.share)
+    if share >= MOSTLY:
+        is_lost = share >= ALL and are_all_alone(shapes)
+        return is_lost or _is_sent_back(shapes, most_told(shapes, first.lines, last.lines), view)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
-    return outlines > DETAILED * view.larger_side and grade_of_shapes(wide, view) >= SENT_BACK
+    grade = grade_of_shapes(tuple(map(in_full_width, shapes)), view)
+    return outlines > DETAILED * view.larger_side and grade >= SENT_BACK
 
 
-def _is_torn(shapes: Shapes, grade: float) -> bool:
-    """Return whether a blend by lines, of a grade, would be sent back, the sooner the more of its ends come loose."""
-    if grade < TORN - PER_LOOSE_END * MOST_LOOSE:
+def _is_sent_back(shapes: Shapes, most: float, view: Box) -> bool:
+    """Return whether trees grade a blend by lines as `most` or worse, the sooner the more of its ends come loose."""
+    if grade_of_shapes(tuple(map(in_full_width, shapes)), view) < FAULTY:
         return False
-    return grade + PER_LOOSE_END * loose_ends(shapes) >= TORN
+    grade = told_grade(shapes, view)
+    if grade >= most or grade < most - PER_LOOSE_END * MOST_LOOSE:
+        return grade >= most
+    return grade + PER_LOOSE_END * loose_ends(shapes) >= most
 
 
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
@@ -212,10 +214,39 @@ def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
     return bool(near.mean() > COVERED)
 
 
-def least_grade(shapes: Shapes) -> float:
-    """Return the grade from which on signs make room for each other; infinite if no line is bent very much.
+def most_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine]) -> float:
+    """Return the grade from which on drawings that are mostly lines make room for each other, of a blend of these."""
+    from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
-    It is 0 if all lines come or go, and none becomes another.
+    is_bent, is_like = _is_bent(shapes), is_covered(lines, others) or is_covered(others, lines)
+    becoming = [shape.reason for shape in shapes if any(contour.is_matched for contour in shape.contours)]
+    if all(reason == COPY for reason in becoming) and (is_like or not is_bent):
+        return TOLD_IF_SPLIT
+    if is_like:
+        return TOLD_IF_SIMPLE
+    if is_bent:
+        return TOLD_IF_BENT
+    every = (*lines, *others)
+    return TOLD_IF_SIMPLE if len(every) <= MOST_SIMPLE and all(map(_is_simple, every)) else TOLD
+
+
+def _is_simple(line: PenLine) -> bool:
+    """Return whether a line is a bar, a chevron or a circle."""
+    points = line.drawn
+    if line.closed:
+        return abs(signed_area(line.points)) >= ROUND * line.length**2 / (4.0 * np.pi)
+    first, last = points[0], points[-1]
+    ways = np.abs(points - first) + np.abs(points - last)
+    return bool(ways.max() >= LEG * line.length)
+
+
+def are_all_alone(shapes: Shapes) -> bool:
+    """Return whether all lines come or go, and none becomes another."""
+    return not any(contour.is_matched for shape in shapes for contour in shape.contours)
+
+
+def _is_bent(shapes: Shapes) -> bool:
+    """Return whether a line is bent very much.
 
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
     the ring of a play button, may straighten, but for wavy ones; so may lines that unroll by lengths and angles. Where
@@ -223,30 +254,16 @@ def least_grade(shapes: Shapes) -> float:
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
-    bent, is_wavy = 0.0, False
-    if not any(contour.is_matched for shape in shapes for contour in shape.contours):
-        return 0.0
+    bent = 0.0
     for shape, contour in _lines_of(shapes):
         are_rings = _are_rings(contour)
         if all(are_rings):
             continue
         bending = _bending(contour, WAVY if shape.reason == COPY else 0.0)
-        may_straighten = shape.reason == COPY or shape.motion_name == "intrinsic"
-        if bending > MOST_BENT and (any(are_rings) or not may_straighten):
-            return SENT_BACK
-        is_wavy |= shape.reason == COPY and bending > WAVY_BENT
+        if bending > (WAVY_BENT if shape.reason == COPY else MOST_BENT):
+            return True
         bent = max(bent, bending)
-    is_unlike = is_wavy or bent > MOST_BENT or (bent > BENT and _share_alone(shapes) > MOST_ALONE)
-    return UNREADABLE if is_unlike else np.inf
-
-
-def most_bent(shapes: Shapes) -> float:
-    """Return the largest spread of the turns along a line, in radians, but at most `WHOLLY`.
-
-    Rings that open do not count: they are seen to be drawn back.
-    """
-    lines = (contour for _, contour in _lines_of(shapes) if len({*_are_rings(contour)}) == 1)
-    return min(max((_bending(contour, 0.0) for contour in lines), default=0.0), WHOLLY)
+    return bent > BENT and _share_alone(shapes) > MOST_ALONE
 
 
 def loose_ends(shapes: Shapes) -> int:
