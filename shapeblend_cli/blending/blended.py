@@ -21,12 +21,7 @@ from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
-from shapeblend_cli.blending.swaps.unlike import (
-    ALL,
-    are_too_unlike,
-    in_full_width,
-    is_hopeless,
-)
+from shapeblend_cli.blending.swaps.unlike import ALL, are_too_unlike, in_full_width, is_hopeless
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.blending.uncrossed import with_crossings_undone
 from shapeblend_cli.frames.fades import in_paint_order

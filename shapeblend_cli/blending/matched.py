@@ -106,11 +106,12 @@ class PairedDrawings(NamedTuple):
         return bool(self.changes or self.required or self.copies is not None)
 
     def without(self, numbers: Collection[NumbersOrNone]) -> PairedDrawings:
-        """Leave pairs of contours with these numbers without their partners, and what rides on them as well."""
+        """Return the same without some pairs of contours, by their numbers, and without what rides on these."""
         pairs = {pair: each for pair, each in self.pairs.items() if pair not in numbers}
+        leaders = [{pair[side] for pair in pairs} for side in (0, 1)]
         first, last = (
-            {rider: leader for rider, leader in riding.items() if any(leader == pair[side] for pair in pairs)}
-            for side, riding in enumerate(self.riders)
+            {rider: leader for rider, leader in riding.items() if leader in known}
+            for riding, known in zip(self.riders, leaders, strict=True)
         )
         return self._replace(pairs=pairs, riders=(first, last))
 

@@ -35,8 +35,8 @@ IN_PLACE = (60.0, 20.0)
 """Stiffnesses against travel that are tried, with which points stay nearer to their places, the highest first."""
 
 GAINING = 0.05
-"""Minimum advantage of a blend with one of them for the next one to be tried, in grades: where the highest gains less,
-the other one hardly ever gains `NEARER`."""
+"""Minimum advantage of a blend with one of them for the next one to be tried, in grades: where the highest one
+gains less, the next one hardly ever gains `NEARER`."""
 
 NEARER = 0.12
 """Minimum advantage of a blend whose points stay nearer to their places for it to be taken, in grades."""
@@ -44,9 +44,8 @@ NEARER = 0.12
 TORN = 0.35
 """Minimum advantage of a blend in which outlines are cut to pieces, in grades: the judge hardly sees its slots."""
 
-HOPELESS = 0.5
-"""Minimum excess over the grade up to which a blend is taken for no other stiffness to be tried: hardly any gains that
-much by one."""
+OUT_OF_REACH = 0.5
+"""Minimum distance to the grade up to which a blend is taken for no other stiffness to be tried: few gain it."""
 
 FAR = 0.25
 """Maximum distance from a piece to its partner, in sizes of the largest contour."""
@@ -134,7 +133,7 @@ def _best(
     """Return the best one of a blend and those with other stiffnesses, which is taken up to a grade."""
     least = first
     for stiffness in stiffnesses:
-        if least.grade > most + HOPELESS:
+        if least.grade > most + OUT_OF_REACH:
             break
         other = _graded(_stiffer(first.paired, stiffness), move, view)
         least = other if other.grade < least.grade else least

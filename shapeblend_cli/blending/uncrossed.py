@@ -62,8 +62,8 @@ MOST = 12
 """Maximum number of contours of a drawing for which other ways are tried."""
 
 MOST_CROSSED = 7
-"""Maximum number of times at which contours cross themselves, over all of these, for other ways to be tried: what does
-so nearly always does it in any way."""
+"""Maximum number of times at which contours cross themselves, over all of these, for other ways to be tried: those that
+cross more often hardly ever stop."""
 
 AFFORDABLE = 1_000_000
 """Maximum number of dots in the graphs of all pairs of contours and of all ways together; else only some of each group

@@ -10,11 +10,15 @@ from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swaps import unlike
 from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
 from shapeblend_cli.blending.swaps.unlike import (
-    FLAWED,
+    FAULTY,
     HOPELESS,
     IN_COMMON,
     PER_BENT,
     TOLD,
+    TOLD_IF_BENT,
+    TOLD_IF_SIMPLE,
+    TOLD_IF_SPLIT,
+    WHOLLY,
     is_hopeless,
     loose_ends,
 )
@@ -22,7 +26,10 @@ from shapeblend_cli.cli import run
 from shapeblend_cli.frames.stagger import eased
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
+from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.paint.styles import shape_styles
+from shapeblend_cli.pipeline import match_all
+from tests.support.drawings import drawing
 
 ICONS = Path("docs/icons")
 COPY, CHECK = "copy.svg", "check.svg"
@@ -255,7 +262,7 @@ def test_drawings_whose_parts_have_partners_blend(a, b):
     [
         (HOPELESS, 0.0, 0.0, True),
         (HOPELESS - 0.01, 0.0, 0.0, False),
-        (HOPELESS - PER_BENT, 1.0, 0.0, True),
+        (HOPELESS - PER_BENT + 0.01, 1.0, 0.0, True),
         (HOPELESS - PER_BENT - 0.01, 1.0, 0.0, False),
         (HOPELESS + 0.5 * IN_COMMON + 0.01, 0.0, 0.5, True),
         (HOPELESS + 0.5 * IN_COMMON - 0.01, 0.0, 0.5, False),
@@ -266,19 +273,76 @@ def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, told, bent
         ink = np.array([[0.0, covered, 1.0 - covered], [1.0] * 3, [0.0, covered, 0.0]])
 
     (pair,) = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="never").pairs
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FLAWED)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
     monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: told)
     monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
     monkeypatch.setattr(unlike, "_main_bending", lambda shapes: bent)
     assert is_hopeless(pair.shapes, pair.views[0]) == is_worse
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FLAWED - 0.01)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY - 0.01)
     assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
 
 
-def test_a_single_outline_becomes_another_however_bad_that_looks(monkeypatch):
+@pytest.fixture
+def always_bad(monkeypatch):
+    """Let any blend be graded as unusable."""
     monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: 3.0)
+
+
+def is_given_up(pair):
+    return is_hopeless(pair.shapes, pair.views[0])
+
+
+@pytest.mark.usefixtures("always_bad")
+def test_a_single_outline_becomes_another_however_bad_that_looks():
     (pair,) = sb.blend("samples/bird-1.svg", "samples/bird-2.svg").pairs
-    assert not is_hopeless(pair.shapes, pair.views[0])
+    assert not is_given_up(pair)
+    (pair,) = sb.blend(DRAWINGS / "wolf.svg", DRAWINGS / "fox.svg", swap="never").pairs
+    assert is_given_up(pair)
+
+
+@pytest.mark.usefixtures("always_bad")
+def test_what_turns_as_a_whole_is_not_given_up():
+    key = "M4 4H10V10H8V12H20V16H18V14H16V18H14V14H4Z M4 18H8V20H4Z"
+    mirrored = "M20 4H14V10H16V12H4V16H6V14H8V18H10V14H20Z M20 18H16V20H20Z"
+    (pair,), _ = match_all([drawing(f'<path d="{d}"/>') for d in (key, mirrored)], Settings())
+    assert {shape.motion_name for shape in pair.shapes} == {"flip"}
+    assert not is_given_up(pair)
+
+
+@pytest.mark.usefixtures("always_bad")
+def test_lines_that_are_cut_out_of_a_plate_become_each_other():
+    bars, plus = "M6 7H18V9H6Z M6 11H18V13H6Z M6 15H18V17H6Z", "M11 6H13V11H18V13H13V18H11V13H6V11H11Z"
+    paths = (f'<path fill-rule="evenodd" d="{CIRCLED} {d}"/>' for d in (bars, plus))
+    (pair,), _ = match_all([drawing(path) for path in paths], Settings())
+    assert [shape.motion_name for shape in pair.shapes] == ["pen"]
+    assert not is_given_up(pair)
+
+
+def test_the_largest_outline_says_how_much_is_bent():
+    files = DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg"
+    (pair,) = sb.blend(*files, swap="never").pairs
+    assert 0.0 < unlike._main_bending(pair.shapes) <= WHOLLY
+    (other,) = sb.blend(*files, swap="always").pairs
+    assert unlike._main_bending(other.shapes) == WHOLLY, "none has a partner"
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "least"),
+    [
+        ("play", "pause", TOLD_IF_SPLIT),
+        ("menu", "x", TOLD_IF_SIMPLE),
+        ("copy", "check", TOLD_IF_BENT),
+        ("sun", "moon", TOLD),
+    ],
+)
+def test_lines_that_can_be_read_may_have_a_worse_grade(monkeypatch, a, b, least):
+    found = []
+    usual = unlike._least_told
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    monkeypatch.setattr(unlike, "_least_told", lambda *given: found.append(usual(*given)) or found[-1])
+    blended(f"lucide/{a}.svg", f"lucide/{b}.svg")
+    assert found == [least]
 
 
 def test_what_is_named_becomes_what_it_is_to_become():

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.blending import blended, turned_drawings
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.blending.swaps.swapped import swapped
 from shapeblend_cli.blending.turned_drawings import way_between
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
@@ -45,6 +47,17 @@ def test_a_mirror_image_turns_if_little_is_left_to_do():
 def test_a_pole_that_would_become_the_other_side_of_its_flag_is_turned_over():
     (shape,) = shapes_of(drawing(FLAG), drawing(FLAG_MIRRORED))
     assert shape.reason == "B is A's mirror image, turned over"
+
+
+def test_a_mirror_image_is_turned_over_rather_than_taking_the_place_of_the_drawing(monkeypatch):
+    def exchange(a, b, settings, view, *others):
+        return swapped(a, b, settings, view)
+
+    monkeypatch.setattr(blended, "_by_lines_or_outlines", exchange)
+    monkeypatch.setattr(turned_drawings, "_is_clean", lambda shapes, view: True)
+    (shape,) = shapes_of(drawing(FLAG), drawing(FLAG_MIRRORED))
+    assert shape.reason == "B is A's mirror image, turned over"
+    assert len(shapes_of(drawing(FLAG), drawing(SMILE[0]))) == 2, "others take the place"
 
 
 def test_a_mirror_image_that_is_unlike_the_drawing_is_turned_over():

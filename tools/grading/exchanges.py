@@ -1,8 +1,8 @@
 """How well it is told which drawings rather take each other's place: `python -m tools.grading.exchanges`.
 
-Blends of drawings that are not lines were graded by two people, who did not know what made them. What
-`blending/swaps/unlike.py` asks of each stands beside the mean of their grades. Least squares give what a radian of
-bending and what the drawings have in common should count beside the grade that trees tell.
+Two graders graded blends of drawings of npm sets without knowing what made them. Beside the mean of their grades stands
+what `blending/swaps/unlike.py` asked of each when its limits were set. Least squares give what a radian of bending and
+what the drawings have in common should count beside the grade that trees tell.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from shapeblend_cli.blending.swaps.unlike import FLAWED, HOPELESS, IN_COMMON, PER_BENT
+from shapeblend_cli.blending.swaps.unlike import FAULTY, HOPELESS, IN_COMMON, PER_BENT
 from tools.grading.fit import rank_correlation
 
 BLENDS = Path(__file__).with_name("exchanges.tsv")
@@ -20,7 +20,7 @@ LIMITS = tuple(HOPELESS + k * 0.15 for k in range(-2, 3))
 """Limits that are compared, in grades."""
 
 GOOD = 1.0
-"""Maximum grade of a blend that people would not send back."""
+"""Maximum grade of a blend that graders would not send back."""
 
 
 def main() -> None:
@@ -31,15 +31,15 @@ def main() -> None:
     weights, *_ = np.linalg.lstsq(terms, grades, rcond=None)
     per_bent, in_common = weights[2:] / weights[1]
     print(
-        f"{len(rows)} blends; beside a grade that trees tell, a radian counts {per_bent:.2f}, and all in common"
+        f"{len(rows)} blends; beside a grade that trees tell, a radian should count {per_bent:.2f}, and all"
     )
-    print(f"{in_common:.2f}; in use are {PER_BENT} and {-IN_COMMON}")
+    print(f"in common {in_common:.2f}; in use are {PER_BENT} and {-IN_COMMON}")
     number = told + PER_BENT * bent - IN_COMMON * covered
     print(f"rank correlation with grades: {rank_correlation(number, grades):.2f}, of trees alone ", end="")
     print(f"{rank_correlation(told, grades):.2f}")
     print("| limit | share | mean grade of theirs | of them good | mean grade of the rest |")
     print("| --- | --- | --- | --- | --- |")
-    may = (faults >= FLAWED) & (contours > 1)
+    may = (faults >= FAULTY) & (contours > 1)
     for limit in LIMITS:
         some = may & (number >= limit)
         good = (grades[some] <= GOOD).mean()

@@ -136,21 +136,21 @@ def with_silhouettes(
         return usual
     grade = grade_of_shapes(usual, view)
     rim = cache(partial(_rim, (a, b), SPACING * view.larger_side))
-    # No grade is below 0.
+    # None is better by more than the usual grade, as no grade is below 0.
     widths = [
         width
         for width in WIDTHS
         if grade >= max(width.least, width.better) and is_suspect(usual, width.fault)
     ]
 
-    blends: dict[object, tuple[Shapes, float]] = {}
+    blends: dict[tuple[tuple[bytes, ...], ...], tuple[Shapes, float]] = {}
 
     @cache
     def closed(radius: float) -> tuple[tuple[_Side, _Side], Shapes, float] | None:
         sides = _sides(a, b, rim, settings, view.larger_side, radius)
         if sides is None:
             return None
-        # Wider gaps may be in parts of their own, and leave the silhouettes as they were.
+        # Wider gaps may be in parts of their own, and leave the silhouettes as they were. Their limits are stricter.
         outlines = tuple(
             tuple(c.contour.segments.tobytes() for c in side.silhouette.contours) for side in sides
         )

@@ -29,11 +29,10 @@ KNOTS = 12
 """Number of even steps of which the pace of a drawing is made."""
 
 SNAP = 8
-"""Power of the time by which a drawing that leaves becomes smaller: large for long, and small for moments only."""
+"""Power of the time by which a drawing shrinks, and backwards grows: large for long, and small for moments only."""
 
 SAME_VIEW = 1e-6
 """Maximum distance of the sides of two views that are the same, as a share of the larger side."""
-
 
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
 ASKED = "one drawing takes the other's place, as asked"

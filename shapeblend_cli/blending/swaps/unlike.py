@@ -1,4 +1,4 @@
-"""When two drawings have so little in common that one rather takes the other's place than becomes it.
+"""When two drawings have so little in common that one takes the other's place instead of becoming it.
 
 The paper's work has no such limit: the least of much work is still the least. But a line that is bent nearly all along
 reads as scrap on its way, however evenly it moves.
@@ -37,20 +37,17 @@ WAVY_BENT = 0.9
 BENT = 0.6
 """Maximum spread of the turns along a line where much else comes and goes, in radians."""
 
-WHOLLY = 1.5
-"""Maximum spread of turns that makes a difference to drawings that are not lines, in radians."""
-
 MOST_ALONE = 0.28
-"""Maximum share of the lines of both drawings that comes and goes for lines to be bent as much as that."""
+"""Maximum share of the lines of both drawings that comes and goes where a line is bent more than `BENT`."""
 
 SENT_BACK = 1.2
-"""Minimum grade of a blend that shrivels to a stroke for the drawings to be swapped."""
+"""Minimum sum of the faults of a blend in which a solid drawing shrivels to a stroke for them to be swapped."""
 
 FAULTY = 0.8
-"""Minimum sum of the faults of a blend of drawings that are mostly lines for trees to be asked how good it is."""
+"""Minimum sum of the faults of a blend for trees to be asked how good it is."""
 
 TOLD = 1.3
-"""Minimum grade that trees tell of such a blend, with its loose ends, for the drawings to be swapped."""
+"""Minimum grade that trees tell of a blend by lines, with its loose ends, for the drawings to be swapped."""
 
 TOLD_IF_BENT = 1.05
 """The same where a line is bent very much: what becomes of it cannot be read."""
@@ -62,16 +59,16 @@ TOLD_IF_SPLIT = 1.8
 """The same where all lines split, join, come or go: trees do not know that they are to do so."""
 
 MOST_SIMPLE = 6
-"""Maximum number of simple lines of both drawings together: those of pixel art are more."""
+"""Maximum number of simple lines of both drawings together: pixel art has more."""
 
 PER_LOOSE_END = 0.15
-"""Increase of that grade for each end that comes loose."""
+"""Increase of the grade that trees tell of a blend by lines for each end that comes loose."""
 
 MOST_LOOSE = 2
 """Maximum number of loose ends that make a difference."""
 
 LEG = 0.98
-"""Minimum length of the legs of a bar or a chevron, as a share of its own."""
+"""Minimum length of both legs of a bar or a chevron together, as a share of the length of the line."""
 
 ROUND = 0.9
 """Minimum area of a ring that is a circle, as a share of that of a circle as long."""
@@ -85,11 +82,11 @@ TOUCHES = 0.55
 OWN = 1.5
 """Length of a line beside its own end that this cannot touch, in widths."""
 
-FLAWED = 0.8
-"""Minimum sum of the faults of a blend of drawings that are not lines for trees to be asked."""
+WHOLLY = 1.5
+"""Maximum spread of turns that makes a difference to other drawings than lines, in radians."""
 
 PER_BENT = 0.26
-"""Increase of the grade that they tell for each radian by which the largest outline is bent."""
+"""Increase of the grade that trees tell of other blends for each radian by which the largest outline is bent."""
 
 IN_COMMON = 0.84
 """Reduction of that grade if each drawing covers the other one."""
@@ -107,7 +104,7 @@ SAME_LENGTH = 0.95
 """Minimum ratio of the lengths of an open line that may become its own mirror image, such as a bracket."""
 
 COVERED = 0.6
-"""Minimum share of the lines of a drawing that lies on lines of the other one for both to have enough in common."""
+"""Minimum share of the lines of a drawing that lies on lines of the other one for these to be seen to stay."""
 
 STEP = 0.3
 """Maximum distance of the points along lines of which it is looked up whether they lie on others, in units."""
@@ -130,7 +127,6 @@ SOLID = 0.3
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
-
 TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
 
@@ -141,9 +137,10 @@ def are_too_unlike(
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
     share = min(first.share, last.share)
+    if share >= ALL and _are_all_alone(shapes):
+        return True
     if share >= MOSTLY:
-        is_lost = share >= ALL and are_all_alone(shapes)
-        return is_lost or _is_sent_back(shapes, most_told(shapes, first.lines, last.lines), view)
+        return _is_sent_back(shapes, first.lines, last.lines, view)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
@@ -153,18 +150,18 @@ def are_too_unlike(
     return outlines > DETAILED * view.larger_side and grade >= SENT_BACK
 
 
-def _is_sent_back(shapes: Shapes, most: float, view: Box) -> bool:
-    """Return whether trees grade a blend by lines as `most` or worse, the sooner the more of its ends come loose."""
+def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine], view: Box) -> bool:
+    """Return whether trees grade a blend by lines too badly, the sooner the more of its ends come loose."""
     if grade_of_shapes(tuple(map(in_full_width, shapes)), view) < FAULTY:
         return False
-    grade = told_grade(shapes, view)
-    if grade >= most or grade < most - PER_LOOSE_END * MOST_LOOSE:
-        return grade >= most
-    return grade + PER_LOOSE_END * loose_ends(shapes) >= most
+    grade, least = told_grade(shapes, view), _least_told(shapes, lines, others)
+    if grade < least - PER_LOOSE_END * MOST_LOOSE:
+        return False
+    return grade >= least or grade + PER_LOOSE_END * loose_ends(shapes) >= least
 
 
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
-    """Return whether a blend of drawings that are not lines is worse than that they take each other's place.
+    """Return whether a blend of drawings that are not lines alone is worse than that they take each other's place.
 
     That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common. A
     single outline always becomes the other one, what turns as a whole is seen to be the same, and so is a plate in
@@ -174,7 +171,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
         return False
     if any(map(_is_inlaid, shapes)) or all(shape.motion_name in TURNING for shape in shapes):
         return False
-    if grade_of_shapes(shapes, view) < FLAWED:
+    if grade_of_shapes(shapes, view) < FAULTY:
         return False
     first, *_, last = seen_of(shapes, view).ink
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
@@ -207,20 +204,20 @@ def in_full_width(shape: ShapeBlend) -> ShapeBlend:
     return shape._replace(style_a=whole, style_b=whole)
 
 
-def is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
+def _is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
     """Return whether most of some lines lies on others, as a minus does on a plus."""
     points = np.concatenate([evenly(line.drawn, STEP) for line in lines])
     near = np.any([are_near(points, line.drawn, 0.5 * line.width) for line in others], axis=0)
     return bool(near.mean() > COVERED)
 
 
-def most_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine]) -> float:
+def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine]) -> float:
     """Return the grade from which on drawings that are mostly lines make room for each other, of a blend of these."""
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
-    is_bent, is_like = _is_bent(shapes), is_covered(lines, others) or is_covered(others, lines)
+    is_bent, is_like = _is_bent(shapes), _is_covered(lines, others) or _is_covered(others, lines)
     becoming = [shape.reason for shape in shapes if any(contour.is_matched for contour in shape.contours)]
-    if all(reason == COPY for reason in becoming) and (is_like or not is_bent):
+    if becoming and all(reason == COPY for reason in becoming) and (is_like or not is_bent):
         return TOLD_IF_SPLIT
     if is_like:
         return TOLD_IF_SIMPLE
@@ -240,7 +237,7 @@ def _is_simple(line: PenLine) -> bool:
     return bool(ways.max() >= LEG * line.length)
 
 
-def are_all_alone(shapes: Shapes) -> bool:
+def _are_all_alone(shapes: Shapes) -> bool:
     """Return whether all lines come or go, and none becomes another."""
     return not any(contour.is_matched for shape in shapes for contour in shape.contours)
 
@@ -249,8 +246,7 @@ def _is_bent(shapes: Shapes) -> bool:
     """Return whether a line is bent very much.
 
     Rings that become rings may bend; one that opens to a line, or is pressed flat to one, may not. Lines that split, as
-    the ring of a play button, may straighten, but for wavy ones; so may lines that unroll by lengths and angles. Where
-    much comes and goes there must be less bending.
+    the ring of a play button, may straighten, but for wavy ones. Where much comes and goes, less bending is enough.
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
