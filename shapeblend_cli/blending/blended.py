@@ -6,6 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
+from shapeblend_cli.anatomy.letters import has_letters
 from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
@@ -122,6 +123,7 @@ def blend_shapes(
         shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
     else:
         shapes = with_details_faded(shapes, view.larger_side)
+    may_swap = may_swap and not all(map(has_letters, (a, b)))
     return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
 
 

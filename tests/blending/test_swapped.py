@@ -319,6 +319,17 @@ def test_lines_that_are_cut_out_of_a_plate_become_each_other():
     assert not is_given_up(pair)
 
 
+@pytest.mark.usefixtures("always_bad")
+def test_letters_become_letters():
+    letters = "".join(f"M{x} 20h12v24h-12zm3 3v8h6v-8z" for x in (2, 18, 34, 50))
+    others = "".join(f"M{x} 44l6-24 6 24h-3l-3-9-3 9z" for x in (2, 18, 34, 50))
+    house = "M32 4L60 30V60H4V30Z M28 40V56H36V40Z"
+    for end, is_exchanged in ((others, False), (house, True)):
+        ends = [drawing(f'<path d="{d}"/>', viewbox="0 0 64 64") for d in (letters, end)]
+        (pair,), _ = match_all(ends, Settings())
+        assert is_swapped(pair.shapes) == is_exchanged
+
+
 def test_the_largest_outline_says_how_much_is_bent():
     files = DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg"
     (pair,) = sb.blend(*files, swap="never").pairs

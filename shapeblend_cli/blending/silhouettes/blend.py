@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedDrawing, decompose, main_orientation
+from shapeblend_cli.anatomy.letters import has_letters
 from shapeblend_cli.blending.graded import SUSPECT, grade_of_shapes, is_suspect
 from shapeblend_cli.blending.plates.inverted import is_blend_of
 from shapeblend_cli.geometry import cubics
@@ -39,12 +40,6 @@ DETAILED = 5.0
 
 PLAIN = 3.3
 """Maximum length of the outlines of a plain drawing, in the same measure: holes of the other one close as they are."""
-
-ROW = 3
-"""Minimum number of letters in a row, whose gaps stay open."""
-
-TALL = 0.5
-"""Minimum height of a letter in a row, as a share of the tallest one's."""
 
 VOID = 0.1
 """Maximum radius of a hole that closes, and of what gaps enclose, in the same measure."""
@@ -178,23 +173,9 @@ def _may_be_torn(a: PlacedDrawing, b: PlacedDrawing, view: Box, usual: Shapes) -
     lengths = [sum(length(contour.polygon.line) for contour in each.contours) for each in (a, b)]
     if max(lengths) < DETAILED * view.larger_side or min(lengths) < PLAIN * view.larger_side:
         return False
-    if any(map(_has_letters, (a, b))):
+    if any(map(has_letters, (a, b))):
         return False
     return is_suspect(usual) or any(not contour.is_matched for shape in usual for contour in shape.contours)
-
-
-def _has_letters(drawing: PlacedDrawing) -> bool:
-    """Return whether a drawing has text, or is a row of parts side by side, as letters are that became outlines."""
-    if any(shape.element == "text" for shape in drawing.drawing.shapes):
-        return True
-    columns: list[Box] = []
-    for box in sorted(contour.box for contour in drawing.contours):
-        if columns and box.x < columns[-1].x + columns[-1].width:
-            columns[-1] = Box.union([columns[-1], box])
-        else:
-            columns.append(box)
-    heights = [box.height for box in columns]
-    return len(columns) >= ROW and min(heights) >= TALL * max(heights)
 
 
 def _rim(drawings: tuple[PlacedDrawing, PlacedDrawing], spacing: float, side: int) -> Rim:
