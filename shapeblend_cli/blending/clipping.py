@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import AS_IT_IS, flattened
+from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import TURNED, carried, turned_back
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry.polygons import rectangle
+from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import (
     Box,
     Clip,
@@ -28,6 +30,7 @@ from shapeblend_cli.model import (
 from shapeblend_cli.motion.rigid import Whole
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
+from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -45,10 +48,12 @@ Watch = Callable[[str, float], None]
 def with_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, share: None) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
-    A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way. The observer
-    is told the stages that clips go through.
+    A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way. Those of a
+    drawing that takes the place of the other one grow with it, and shrink with it. The observer is told the stages that
+    clips go through.
     """
     clips = _Clips(pair, settings, watch)
+    is_exchange = is_swapped(pair.shapes)
     shapes = []
     for shape in pair.shapes:
         sides = [
@@ -56,6 +61,9 @@ def with_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, shar
         ]
         if None in shape.sources:  # a shape in one drawing only keeps its clips
             sides = [max(sides, key=len)] * 2
+        if is_exchange:
+            shapes.append(shape._replace(clips=clips.scaled(sides[0], shape)))
+            continue
         boxes = partial(_box_around, shape)
         shapes.append(shape._replace(clips=clips.blended(sides, boxes, shape.motion)))
     return pair._replace(shapes=tuple(shapes))
@@ -104,6 +112,20 @@ class _Clips:
         clips = (self._one(one, other, around, motion) for one, other in zip(a, b, strict=True))
         return tuple(clip for clip in clips if clip.shapes)
 
+    def scaled(self, clips: Sequence[Clip], shape: ShapeBlend) -> tuple[ClipBlend, ...]:
+        """Return the clips of a shape of one drawing, which shrink to the point to which the shape does."""
+        is_new = shape.sources[0] is None
+        centre = complex((shape.contours[0].start if is_new else shape.contours[0].end).segments[0, 0])
+        found = []
+        for clip in clips:
+            key = id(clip), is_new
+            if key not in self._known:
+                self._known[key] = ClipBlend(
+                    _scaled_region(_as_drawing(clip), self._settings, centre, is_new)
+                )
+            found.append(self._known[key])
+        return tuple(clip for clip in found if clip.shapes)
+
     def _one(
         self, a: Clip | None, b: Clip | None, around: Callable[[int], Clip], motion: Motion | None
     ) -> ClipBlend:
@@ -136,6 +158,21 @@ def _region_blend(
         return blend_shapes(a, b, settings, view, progress)
     straight = settings.replace(motion="linear")
     return carried(blend_shapes(a, turned_back(b, motion), straight, view, progress), motion, TURNED)
+
+
+def _scaled_region(
+    region: Drawing, settings: Settings, centre: complex, is_new: bool
+) -> tuple[ShapeBlend, ...]:
+    """Return the region of a clip that grows from a point, or shrinks to it; nothing if it is empty."""
+    try:
+        (placed,), _ = flattened([region], [AS_IT_IS], settings.vertices, Kept(0))
+    except InputError:
+        return ()
+    contours = tuple(
+        with_curves(grow_from_point(contour, centre, of_b=is_new)) for contour in placed.contours
+    )
+    style = region.shapes[0].style
+    return (ShapeBlend(contours, style, style),)
 
 
 def has_clips(pair: Pair) -> bool:

@@ -23,6 +23,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     loose_ends,
 )
 from shapeblend_cli.cli import run
+from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.frames.stagger import eased
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
@@ -166,6 +167,20 @@ def test_each_drawing_keeps_its_form_and_the_weight_of_its_lines_in_proportion()
             assert here.segments == pytest.approx(expected, abs=1e-9)
             drawn = shape_styles(shape, t)[0].stroke_width
             assert drawn == pytest.approx(scale * max(shape.style_a.stroke_width, shape.style_b.stroke_width))
+
+
+def test_clips_shrink_and_grow_with_what_they_clip():
+    clipped = '<clipPath id="c"><path d="M2 2h{0}v{0}h-{0}z"/></clipPath><path clip-path="url(#c)" d="M1 1h21v9h-21z"/>'
+    ends = [drawing(clipped.format(size)) for size in (10, 14)]
+    (pair,), _ = match_all(ends, Settings(swap="always"))
+    centre = pair.views[0].centre
+    for t in (0.2, 0.4, 0.5, 0.7):
+        for blend, shape, size in zip(pair.shapes, shapes_at(pair, t), (10.0, 14.0), strict=True):
+            own = blend.own_time(t)
+            scale = own if blend.sources[0] is None else 1.0 - own
+            box = control_box(shape.clips[0].paths)
+            assert (box.width, box.height) == pytest.approx((scale * size, scale * size), abs=1e-6)
+            assert complex(box.x, box.y) == pytest.approx(centre + scale * (2 + 2j - centre), abs=1e-6)
 
 
 def sizes_at(pair, t):
