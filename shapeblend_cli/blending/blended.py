@@ -123,7 +123,8 @@ def blend_shapes(
         shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
     else:
         shapes = with_details_faded(shapes, view.larger_side)
-    may_swap = may_swap and not all(map(has_letters, (a, b)))
+    # Who says that drawings stay where they lie wants to see them go from one place to the other.
+    may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
     return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
 
 

@@ -371,6 +371,12 @@ def test_lines_that_can_be_read_may_have_a_worse_grade(monkeypatch, a, b, least)
     assert found == [least]
 
 
+def test_drawings_that_stay_where_they_lie_go_to_each_other():
+    files = DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg"
+    (pair,) = sb.blend(*files, place="asis").pairs
+    assert not is_swapped(pair.shapes)
+
+
 def test_what_is_named_becomes_what_it_is_to_become():
     (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}", match=(("0", "0"),)).pairs
     assert not is_swapped(pair.shapes)
