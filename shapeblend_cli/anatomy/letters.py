@@ -10,10 +10,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
 
 ROW = 3
-"""Minimum number of letters in a row, whose gaps stay open."""
+"""Minimum number of parts side by side that are a row of letters."""
 
 TALL = 0.5
-"""Minimum height of a letter in a row, as a share of the tallest one's."""
+"""Minimum height of each of them, as a share of the tallest one's."""
 
 
 def has_letters(drawing: PlacedDrawing) -> bool:
