@@ -9,6 +9,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
+from shapeblend_cli.motion.rigid import turned_over
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -193,7 +194,7 @@ class Whole(NamedTuple):
         offsets = (self.a - self.centre) * (1.0 - self.dip * math.sin(math.pi * t))
         if self.axis:
             across = offsets * self.axis.conjugate()
-            offsets = (across.real + 1j * np.cos(np.pi * t) * across.imag) * self.axis
+            offsets = (across.real + 1j * turned_over(t) * across.imag) * self.axis
         return self.middle(t) + offsets * np.exp(1j * self.angle * t) + t * self.left
 
     def middle(self, t: float) -> complex:

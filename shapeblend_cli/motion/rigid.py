@@ -19,6 +19,12 @@ if TYPE_CHECKING:
 THINNEST = 0.1
 """Minimum size of a drawing across the axis about which it is turned over, as a share of its own: none vanishes."""
 
+ON_EDGE = 0.45
+"""Time at which what is turned over is seen from its edge: not half way, where many look, and it would be a line."""
+
+BROADSIDE = 5
+"""Power of the time by which it turns: broad for long, and thin for moments only."""
+
 
 class Rigid(NamedTuple):
     """Motion in which a shape is rotated, scaled and shifted; all other change is on straight paths.
@@ -77,7 +83,7 @@ class Whole(NamedTuple):
         """Map points of A to time t."""
         offsets = z - self.centre_a
         if self.over:
-            seen = math.cos(math.pi * t)
+            seen = turned_over(t)
             share = math.copysign(max(abs(seen), THINNEST), seen)
             offsets = offsets + (share - 1.0) * (offsets * self.over.conjugate()).real * self.over
         else:
@@ -94,6 +100,13 @@ class Whole(NamedTuple):
             self.apply((1.0 - t) * contour.start.segments + t * self.undo(contour.end.segments), t)
             for contour in contours
         ]
+
+
+def turned_over(t: float) -> float:
+    """Return the size across the axis of what is turned over at time t, from 1 to -1, where it is its mirror image."""
+    if t < ON_EDGE:
+        return 1.0 - (t / ON_EDGE) ** BROADSIDE
+    return ((1.0 - t) / (1.0 - ON_EDGE)) ** BROADSIDE - 1.0
 
 
 class Posed(NamedTuple):

@@ -9,6 +9,7 @@ from shapeblend_cli.blending.swaps.swapped import swapped
 from shapeblend_cli.blending.turned_drawings import way_between
 from shapeblend_cli.interpolate.paths import paths_at
 from shapeblend_cli.model import control_box
+from shapeblend_cli.motion.rigid import ON_EDGE, turned_over
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.system.kept import Kept
@@ -63,10 +64,17 @@ def test_a_mirror_image_is_turned_over_rather_than_taking_the_place_of_the_drawi
 def test_a_mirror_image_that_is_unlike_the_drawing_is_turned_over():
     (shape,) = shapes_of(drawing(KEY), drawing(KEY_MIRRORED))
     assert (shape.motion_name, shape.reason) == ("flip", "B is A's mirror image, turned over")
-    for t in (0.2, 0.5, 0.75):
+    for t, share in ((0.2, 0.98), (0.3, 0.87), (ON_EDGE, 0.1), (0.5, 0.38), (0.7, 0.95)):
         box = control_box(paths_at(shape, t))
-        assert box.width == pytest.approx(16.0 * max(abs(np.cos(np.pi * t)), 0.1), abs=0.01)
+        assert box.width == pytest.approx(16.0 * share, abs=0.1)
         assert (box.height, box.centre) == (pytest.approx(14.0), pytest.approx(12.0 + 11.0j))
+
+
+def test_what_is_turned_over_is_no_line_half_way_and_never_turns_back():
+    sizes = [turned_over(t) for t in np.linspace(0.0, 1.0, 33)]
+    assert (sizes[0], sizes[-1]) == (1.0, -1.0)
+    assert sizes == sorted(sizes, reverse=True)
+    assert abs(sizes[16]) > 0.35
 
 
 def test_it_ends_at_the_drawing():
@@ -116,7 +124,7 @@ def test_clips_are_turned_over_as_well():
     b = drawing(clip.format("M22 2H6V22H22Z"), clipped.format(KEY_MIRRORED))
     (shape,) = shapes_of(a, b)
     (clip,) = shape.clips
-    box = control_box(paths_at(clip.shapes[0], 0.5))
+    box = control_box(paths_at(clip.shapes[0], ON_EDGE))
     assert box.width == pytest.approx(1.6, abs=0.01)
 
 
