@@ -22,6 +22,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     is_hopeless,
     loose_ends,
 )
+from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.frames.stagger import eased
@@ -323,6 +324,18 @@ def test_what_turns_as_a_whole_is_not_given_up():
     (pair,), _ = match_all([drawing(f'<path d="{d}"/>') for d in (key, mirrored)], Settings())
     assert {shape.motion_name for shape in pair.shapes} == {"flip"}
     assert not is_given_up(pair)
+
+
+def test_long_drawings_that_turn_to_each_other_are_given_up_as_others_are(monkeypatch):
+    pencil = "M2 5L5 2L17 14L20 20L14 17Z M5 5L6 5L6 6Z"
+    brush = "M22 3L20 1L9 11C6 10 6 15 2 20C7 19 12 17 11 14Z M19 3L20 3L20 4Z"
+    ends = [drawing(f'<path fill-rule="evenodd" d="{d}"/>') for d in (pencil, brush)]
+    (pair,), _ = match_all(ends, Settings(swap="never"))
+    assert {shape.reason for shape in pair.shapes} == {POINTS_ELSEWHERE}
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    for told, is_bad in ((3.0, True), (0.5, False)):
+        monkeypatch.setattr(unlike, "told_grade", lambda shapes, view, told=told: told)
+        assert is_given_up(pair) == is_bad
 
 
 @pytest.mark.usefixtures("always_bad")

@@ -12,6 +12,7 @@ import numpy as np
 
 from shapeblend_cli.blending.graded import grade_of_shapes, seen_of, told_grade
 from shapeblend_cli.blending.swaps.swapped import is_swapped
+from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.geometry.polyline import are_near
@@ -91,7 +92,7 @@ PER_BENT = 0.26
 IN_COMMON = 0.84
 """Reduction of that grade if each drawing covers the other one."""
 
-HOPELESS = 1.55
+HOPELESS = 1.4
 """Minimum grade with these for the drawings to be swapped."""
 
 WAVY = 2.0 * np.pi
@@ -164,12 +165,12 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings that are not lines alone is worse than that they take each other's place.
 
     That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common. A
-    single outline always becomes the other one, what turns as a whole is seen to be the same, and so is a plate in
-    which lines become each other.
+    single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a plate
+    in which lines become each other.
     """
     if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
         return False
-    if any(map(_is_inlaid, shapes)) or all(shape.motion_name in TURNING for shape in shapes):
+    if any(map(_is_inlaid, shapes)) or all(map(_is_turned_copy, shapes)):
         return False
     if grade_of_shapes(shapes, view) < FAULTY:
         return False
@@ -177,6 +178,11 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
     grade = told_grade(shapes, view) - IN_COMMON * covered
     return grade >= HOPELESS - PER_BENT * WHOLLY and grade + PER_BENT * _main_bending(shapes) >= HOPELESS
+
+
+def _is_turned_copy(shape: ShapeBlend) -> bool:
+    """Return whether a shape turns with its drawing to the other one, which is not just long as well."""
+    return shape.motion_name in TURNING and shape.reason != POINTS_ELSEWHERE
 
 
 def _is_inlaid(shape: ShapeBlend) -> bool:
