@@ -20,8 +20,11 @@ BENDS = 0.8
 """Minimum length of a piece half way on straight paths, as a share of its shorter end; else it turns as it goes."""
 
 
-PRESSED = 0.8
+PRESSED = 0.75
 """Share of the time in which a ring is pressed flat: its sides would look like a thick line until the end."""
+
+SHUTS = 3
+"""Power of the time by which it is: wide for long, and narrow for moments only."""
 
 TURNS_OVER = np.radians(30.0)
 """Maximum turn of a line as a whole that turns over, in radians, as from ] to [."""
@@ -65,8 +68,7 @@ class Straight(NamedTuple):
 class Pressed(NamedTuple):
     """A ring that is pressed flat to a line, or a line that opens to one: both sides are one line for a while.
 
-    `across` is how far each point of the ring lies beside the ring's axis. The ring is narrow for a short time only: as
-    long as its sides touch, it looks like a thick line.
+    `across` is how far each point of the ring lies beside the ring's axis.
     """
 
     a: ComplexArray
@@ -77,7 +79,7 @@ class Pressed(NamedTuple):
     def points(self, t: float) -> ComplexArray:
         """Return the points at a time."""
         even = t if self.opens else 1.0 - t
-        open_ = 1.0 - min(1.0, (1.0 - even) / PRESSED) ** 2
+        open_ = 1.0 - min(1.0, (1.0 - even) / PRESSED) ** SHUTS
         return (1.0 - t) * self.a + t * self.b + (open_ - even) * self.across
 
     def scaled(self, by: float) -> Pressed:
