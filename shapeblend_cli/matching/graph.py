@@ -199,7 +199,7 @@ class Graph:
         first, last = int(self.region.low[0]), int(self.region.high[0])
         self._bound_states(Starts(0.0, first, last, ENTERING))
         rows = min(last - first + 1, self.wires.n)
-        bounds: FloatArray = self._to_go[:rows, list(ENTERING)].min(axis=1)
+        bounds: FloatArray = np.minimum(*(self._to_go[:rows, step] for step in ENTERING))
         if rows == self.wires.n:
             self._least = float(bounds.min())
         return bounds

@@ -133,10 +133,11 @@ def least_work(
     dots = found.dots
     if closed:
         dots = dots[:-1]  # the end is the start again
-    own = (dots + first) % (m, n)
+    size = np.array([m, n])
+    own = (dots + first) % size
     if closed and not pins:
         own = from_column_0(own)
-    return _correspondence(own, problem.wires, dots % (m, n), lower_bound, found.sweeps)
+    return _correspondence(own, problem.wires, dots % size, lower_bound, found.sweeps)
 
 
 def _first_dot(wires: Wires, search: Search, pins: Sequence[Dot]) -> Dot:

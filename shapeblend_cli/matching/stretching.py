@@ -32,19 +32,36 @@ if TYPE_CHECKING:
 COMPILED = cython.compiled
 
 
-def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants) -> FloatArray:
+@cython.cfunc
+@cython.inline
+@cython.exceptval(check=False)
+def _work(
+    k_s: cython.double, e_s: cython.double, c_s: cython.double, len0: cython.double, len1: cython.double
+) -> cython.double:
+    """Return the work to stretch an edge onto another one, see `stretching_work`."""
+    delta: cython.double = fabs(len1 - len0)
+    power: cython.double = delta * delta if e_s == 2.0 else pow(delta, e_s)
+    resistance: cython.double = (1.0 - c_s) * min(len0, len1) + c_s * max(len0, len1)
+    if resistance <= 0.0:
+        resistance = 1.0
+    return k_s * power / resistance
+
+
+def stretching_work(
+    len0: cython.const[cython.double][::1], len1: cython.const[cython.double][::1], constants: WorkConstants
+) -> FloatArray:
     """Return the work to stretch edges of one wire onto edges of the other: equation (16), section 3.1.
 
     Parameters
     ----------
-    len0, len1 : ndarray of float, mutually broadcastable
-        Edge lengths L0 and L1 in unit-box lengths (section 3.3), >= 0.
+    len0, len1 : (k,) float, or (1,)
+        Edge lengths L0 and L1 in unit-box lengths (section 3.3), >= 0; one length is that of all edges of its wire.
     constants : WorkConstants
         Reads k_s, e_s, c_s.
 
     Returns
     -------
-    ndarray of the broadcast shape, >= 0
+    (k,) float, >= 0
 
     Notes
     -----
@@ -54,14 +71,21 @@ def stretching_work(len0: FloatArray, len1: FloatArray, constants: WorkConstants
     --------
     Leg 1-2 of figure 23 (section 3.4):
 
-    >>> w = stretching_work(0.5**0.5, 1.0, WorkConstants(k_s=0.5, c_s=0.5, e_s=1))
-    >>> round(float(w), 4)
-    0.1716
+    >>> w = stretching_work(np.array([0.5**0.5]), np.array([1.0]), WorkConstants(k_s=0.5, c_s=0.5, e_s=1))
+    >>> w.round(4).tolist()
+    [0.1716]
     """
-    k_s, e_s, c_s = constants.k_s, constants.e_s, constants.c_s
-    delta = np.abs(np.subtract(len1, len0))
-    resistance = (1.0 - c_s) * np.minimum(len0, len1) + c_s * np.maximum(len0, len1)
-    return k_s * delta**e_s / np.where(resistance > 0.0, resistance, 1.0)
+    k_s: cython.double = constants.k_s
+    e_s: cython.double = constants.e_s
+    c_s: cython.double = constants.c_s
+    found = np.empty(max(len0.shape[0], len1.shape[0]))
+    work: cython.double[::1] = found
+    step0: cython.Py_ssize_t = len0.shape[0] > 1
+    step1: cython.Py_ssize_t = len1.shape[0] > 1
+    k: cython.Py_ssize_t
+    for k in range(work.shape[0]):
+        work[k] = _work(k_s, e_s, c_s, len0[step0 * k], len1[step1 * k])
+    return found
 
 
 def fill_stretching(
@@ -97,7 +121,6 @@ def fill_stretching(
     k_s: cython.double = constants.k_s
     e_s: cython.double = constants.e_s
     c_s: cython.double = constants.c_s
-    is_square: cython.bint = e_s == 2.0
     n: cython.Py_ssize_t = len1.shape[0]
     c: cython.Py_ssize_t
     j: cython.Py_ssize_t
@@ -108,12 +131,7 @@ def fill_stretching(
         length: cython.double = len0[edges[c]]
         j = low[c] % n
         for k in range(column_offset[c], column_offset[c] + high[c] - low[c] + 1):
-            delta: cython.double = fabs(len1[j] - length)
-            power: cython.double = delta * delta if is_square else pow(delta, e_s)
-            resistance: cython.double = (1.0 - c_s) * min(length, len1[j]) + c_s * max(length, len1[j])
-            if resistance <= 0.0:
-                resistance = 1.0
-            work[k] = k_s * power / resistance * stiffness[c]
+            work[k] = _work(k_s, e_s, c_s, length, len1[j]) * stiffness[c]
             j += 1
             if j == n:
                 j = 0

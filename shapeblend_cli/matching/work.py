@@ -133,7 +133,12 @@ class Wires:
         if weight is not None:
             self.weight = np.asarray(weight, np.float64)
             self.edge_weight = 0.5 * (self.weight + rolled(self.weight, -1))
-        self.len0, self.len1 = (edge_lengths(wire.vertices, closed) for wire in self.wires)
+
+    @cached_property
+    def lengths(self) -> tuple[FloatArray, FloatArray]:
+        """The lengths of the edges that leave the vertices of the first wire and of the second."""
+        len0, len1 = (edge_lengths(wire.vertices, self.closed) for wire in self.wires)
+        return len0, len1
 
     @cached_property
     def corners0(self) -> Corners:
@@ -165,15 +170,17 @@ class Wires:
 
     @cached_property
     def _stations(self) -> tuple[Stations, Stations]:
-        first, second = self.wires
-        return Stations(first.place, self.len0), Stations(second.place, self.len1)
+        first, second = (
+            Stations(wire.place, own) for wire, own in zip(self.wires, self.lengths, strict=True)
+        )
+        return first, second
 
     def beginning_at(self, i: int, j: int) -> Wires:
         """Return the same closed wires with vertex i of the first and vertex j of the second as their first ones."""
         if i == j == 0:
             return self
         p, q = (
-            wire.along((np.arange(len(wire.vertices)) + first) % len(wire.vertices))
+            Wire(*(rolled(points, -first) for points in wire)) if first else wire
             for wire, first in zip(self.wires, (i, j), strict=True)
         )
         return Wires(p, q, True, self.constants, None if self.is_even else rolled(self.weight, -i))
@@ -190,10 +197,8 @@ class Wires:
         """
         window = window or Window.full(self.m, self.n)
         columns = (first_column + np.arange(len(window.low))) % self.m
-        southeast = np.empty(window.dots)
-        fill_stretching(
-            (self.len0, self.len1), self.constants, columns, self.edge_weight[columns], window, southeast
-        )
+        southeast, weight = np.empty(window.dots), self.edge_weight[columns]
+        fill_stretching(self.lengths, self.constants, columns, weight, window, southeast)
         bends = np.empty((window.dots, 7))
         for take in self._terms_of_bends:
             take(columns, window, bends)
@@ -202,13 +207,13 @@ class Wires:
                 bends[0] = 0.0
             if columns[-1] == self.m - 1 and window.high[-1] == self.n - 1:
                 bends[-1] = 0.0
-        nothing = np.zeros(1)
+        (len0, len1), nothing = self.lengths, np.zeros(1)
         return Tables(
             window=window,
             first_column=first_column,
             weight=self.weight[columns],
-            east=stretching_work(self.len0[columns], nothing, self.constants) * self.edge_weight[columns],
-            south=stretching_work(nothing, self.len1, self.constants),
+            east=stretching_work(len0[columns], nothing, self.constants) * weight,
+            south=stretching_work(nothing, len1, self.constants),
             southeast=southeast,
             bends=bends,
         )
@@ -258,10 +263,10 @@ class Wires:
         columns, rows, steps, at, kinds = self._path(dots)
         columns, rows = columns[: len(steps)], rows[: len(steps)]
         moves0, moves1 = steps != SOUTH, steps != EAST
-        stiff = np.where(moves0, self.edge_weight[columns], self.weight[columns])
-        stretching = stiff * stretching_work(
-            self.len0[columns] * moves0, self.len1[rows] * moves1, self.constants
-        )
+        len0, len1 = self.lengths
+        stretching = stretching_work(len0[columns] * moves0, len1[rows] * moves1, self.constants)
+        if not self.is_even:
+            stretching *= np.where(moves0, self.edge_weight[columns], self.weight[columns])
         terms = self._bends_along(at, kinds, *self._terms_of_bends)
         return Work(float(stretching.sum()), *(float(term.sum()) for term in terms))
 
