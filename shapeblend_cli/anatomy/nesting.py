@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import polygon_crossings
-from shapeblend_cli.geometry.polygons import orientation
+from shapeblend_cli.geometry.polygons import crosses_itself, orientation
 from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end
 from shapeblend_cli.geometry.raster import Bands, winding_sums, winding_table
 
@@ -46,11 +46,12 @@ def nest(polygons: Sequence[Polygon], rule: str, exterior_orientation: int = 1) 
     directions paint the same, the fill rule is the given one; then, under ``nonzero``, all are reversed or none.
     """
     signs = [orientation(polygon) for polygon in polygons]
-    is_simple = polygon_crossings(polygons, most=1) == 0
     if len(polygons) == 1:
+        is_simple = not crosses_itself(polygons[0])
         is_reversed = signs[0] == -exterior_orientation
         return Nesting((None,), (is_reversed,), "nonzero" if is_simple else rule, is_simple)
 
+    is_simple = polygon_crossings(polygons, most=1) == 0
     boxes = [polygon.box for polygon in polygons]
     bands = Bands.of([polygon.vertices for polygon in polygons], np.array(boxes))
     first: dict[bytes, int] = {}

@@ -70,6 +70,12 @@ def centroid(vertices: ComplexArray) -> complex:
 
 
 @_found_once
+def crosses_itself(polygon: Polygon) -> bool:
+    """Return whether a polygon crosses itself, which is known after the first time."""
+    return polygon_crossings([polygon], most=1) > 0
+
+
+@_found_once
 def orientation(polygon: Polygon) -> int:
     """Return 1 if a polygon runs from x towards y, -1 if it runs the other way, 0 if that is undecided.
 
@@ -81,7 +87,7 @@ def orientation(polygon: Polygon) -> int:
         return 0
     vertices = polygon.vertices
     sign = int(np.sign(signed_area_of(polygon)))
-    if polygon_crossings([polygon], most=1):
+    if crosses_itself(polygon):
         edges = rolled(vertices, -1) - vertices
         turns = np.angle(edges * rolled(edges, 1).conj()).sum() / (2.0 * np.pi)
         if sign * round(float(turns)) <= 0 and _share_with_sign(vertices, sign) < NEARLY_ALL:
