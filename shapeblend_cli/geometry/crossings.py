@@ -167,7 +167,7 @@ class _Chains:
         blocks, boxes = np.empty((len(points), 3), np.intp), np.empty((len(points), 4))
         count = _cut_into_blocks(self, blocks, boxes)
         order = np.argsort(boxes[:count, 0])
-        self.blocks, self.boxes = blocks[order], boxes[order]
+        self.blocks, self.boxes = blocks.take(order, axis=0), boxes.take(order, axis=0)
         self.passages = {}
 
 

@@ -71,7 +71,7 @@ class FlatContour:
         segments, low, high = self._edges
         passed = (shares - own[edge]) / (own[edge + 1] - own[edge])
         segment, parameter = segments[edge], low[edge] + (high - low)[edge] * passed
-        return cubics.evaluate(self.contour.segments[segment], parameter), segment, parameter
+        return cubics.evaluate(self.contour.segments.take(segment, axis=0), parameter), segment, parameter
 
     def between(self, start: float, end: float) -> tuple[ComplexArray, BoolArray]:
         """Return the segments from one length to a larger one, which may be further round, and which are straight."""

@@ -71,7 +71,7 @@ def flatten(contour: Contour, vertices: int, known: Known | None = None) -> Poly
         if key not in known:
             known[key] = _vertices(contour, vertices, size)
         segment, parameter = known[key]
-    points = cubics.evaluate(segments[segment], parameter)
+    points = cubics.evaluate(segments.take(segment, axis=0), parameter)
     points = np.where(parameter == 0.0, segments[segment, 0], points)
     if not contour.closed:  # nothing begins at the end of the last segment, so it is added by itself
         points = np.append(points, segments[-1, 3])
@@ -139,7 +139,7 @@ def _measure(
     end = rolled(parameter, -1)
     end[-1] = 1.0
     end[:-1][segment[1:] != segment[:-1]] = 1.0
-    deviation = cubics.chord_deviation(cubics.pieces(contour.segments[segment], parameter, end))
+    deviation = cubics.chord_deviation(cubics.pieces(contour.segments.take(segment, axis=0), parameter, end))
     return parameter, np.where(contour.straight[segment], 0.0, deviation)
 
 

@@ -195,7 +195,7 @@ def _merge(
     cuts = np.concatenate([cuts[keep], extra])
     merged = np.concatenate([merged[keep], np.full(len(extra), -1, np.intp)])
     order = np.lexsort((cuts[:, 1], cuts[:, 0]))
-    return cuts[order], merged[order]
+    return cuts.take(order, axis=0), merged[order]
 
 
 def _remedies(

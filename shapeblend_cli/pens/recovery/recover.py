@@ -166,7 +166,7 @@ def _sampled(contours: Sequence[ComplexArray], lengths: Sequence[FloatArray]) ->
         counts = np.maximum(np.ceil(own[used] / STEP), 2).astype(np.intp)
         count, within = counts.repeat(counts), numbered(counts)
         t = (within + 0.5) / count
-        points = segments[used.repeat(counts)]
+        points = segments.take(used.repeat(counts), axis=0)
         handles = 3.0 * (points[:, 1:] - points[:, :-1])
         u = 1.0 - t
         velocity = u * u * handles[:, 0] + 2.0 * u * t * handles[:, 1] + t * t * handles[:, 2]
