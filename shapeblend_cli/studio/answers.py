@@ -21,7 +21,6 @@ from shapeblend_cli.frames.views import view_of
 from shapeblend_cli.job.job import Job, all_targets, job_of
 from shapeblend_cli.job.make import kept_of, make, match_drawings, read_files
 from shapeblend_cli.job.targets import check_files_of, check_libraries, write
-from shapeblend_cli.job.tries import tries
 from shapeblend_cli.model import Frame
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.preview.pictures import (
@@ -200,6 +199,8 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
 
 def _others(order: Order) -> list[dict[str, Any]]:
     """Return other blends of two drawings: the options that give each, its grade, and pictures of moments."""
+    from shapeblend_cli.job.tries import tries  # blends to look at do without it, and without svgwrite
+
     job, clock = _shown_job(order), Clock()
     settings = job.output.settings
     drawings = read_files(job.files, job.read, clock, _ignore, order.sources)
