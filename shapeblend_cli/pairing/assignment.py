@@ -323,19 +323,21 @@ class Pairing:
             rows, columns = self._likely()
         if not rows or not columns:
             return []
-        some = np.ix_(rows, columns)
         # A pair of very different sizes saves less: most of the larger contour appears or disappears anyway.
         both = self.a.alone[rows][:, None], self.b.alone[columns]
         alone = 1.5 * np.minimum(*both) + 0.5 * np.maximum(*both)
         focus = FOCUS_GAIN * np.minimum(self.a.focus[rows][:, None], self.b.focus[columns])
         focus += INNER_GAIN * self.a.inner[rows][:, None] * self.b.inner[columns]
-        excess = self._cheap_costs(rows, columns)
-        fit = self._fit[some] & self._inside_partners(rows, columns)
-        excess += self._works.costs(rows, columns, np.where(fit & (excess < alone), excess, np.inf))
-        excess += self._axis_costs(rows, columns) - self._kin_gains(rows, columns)
-        excess -= alone
-        excess[~fit] = NEVER
+        costs = self._cheap_costs(rows, columns)
+        fit = self._fit[np.ix_(rows, columns)] & self._inside_partners(rows, columns)
+        changes = self._axis_costs(rows, columns) - self._kin_gains(rows, columns)
+
+        def excess_of(most: FloatArray | None) -> FloatArray:
+            works = self._works.costs(rows, columns, np.where(fit & (costs < alone), costs, np.inf), most)
+            return np.where(fit, costs + works + changes - alone, costs.dtype.type(NEVER))
+
         twins = [side.twins_among(some) for side, some in ((self.a, rows), (self.b, columns))]
+        excess = excess_of(None if all(map(len, twins)) else alone - costs - changes)
         found = _twins_with_twins(excess, focus, *twins)
         left = excess.copy()
         for i, j in found:
@@ -347,7 +349,7 @@ class Pairing:
         found = _outer_first(found, excess, *sides)
         found = [(i, j) for j, i in _outer_first([(j, i) for i, j in found], excess.T, *sides[::-1])]
         if not found and not self.partner and not self._is_rest:
-            found = [divmod(int(excess.argmin()), len(columns))]
+            found = [divmod(int(excess_of(None).argmin()), len(columns))]
         return [(rows[i], columns[j]) for i, j in found]
 
     def _likely(self) -> tuple[list[int], list[int]]:

@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.anatomy.structure import corners
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.options.constants import PAPER, WorkConstants
-from shapeblend_cli.wires.rough import few, work_of_few
+from shapeblend_cli.wires.rough import few, turning, work_of_few
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -67,6 +67,9 @@ MANY_PAIRS = 10_000
 
 DECIMALS = 7
 """Number of decimals of coordinates in which copies agree, in sizes of the contour."""
+
+ROUNDING = 1e-5
+"""Minimum difference of costs that is no rounding, nor that of a crowd."""
 
 MOST_WORKS = 600
 """Maximum number of pairs whose work is compared, about: the cheapest without it."""
@@ -207,12 +210,17 @@ class Works:
         is_crowd = self._costs.size > MANY_PAIRS
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
         self._known = {} if known is None else known
-        self._few: dict[
-            tuple[int, int, bool], ComplexArray
-        ] = {}  # vertices by side, index and whether closed
+        self._beyond: dict[tuple[int, int], float] = {}  # the least cost of pairs not solved in full
+        self._few: dict[tuple[int, int, bool], tuple[ComplexArray, float]] = {}
 
-    def costs(self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray) -> FloatArray:
-        """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many."""
+    def costs(
+        self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray, most: FloatArray | None = None
+    ) -> FloatArray:
+        """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many.
+
+        It is also that of pairs that cost more than is of use, if that is given: how much dearer pairs are than
+        contours alone matters only where twins are paired with twins.
+        """
         some = np.ix_(rows, columns)
         wanted = self._worth_solving(cheap)
         for k, m in np.argwhere(wanted & np.isnan(self._costs[some])).tolist():
@@ -220,22 +228,34 @@ class Works:
             first = self._alike[0][i], self._alike[1][j]
             copies = self._a.contours[first[0]].number, self._b.contours[first[1]].number
             if copies not in self._known:
-                closed = self._a.contours[i].polygon.closed and self._b.contours[j].polygon.closed
-                p, q = self._vertices(0, i, closed), self._vertices(1, j, closed)
-                work = work_of_few(p, q, closed, LIKENESS)
-                self._known[copies] = WORK_WEIGHT * (
-                    1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION)
-                )
-            self._costs[i, j] = self._known[copies]
+                self._solve(i, j, copies, np.inf if most is None else float(most[k, m]) + ROUNDING)
+            self._costs[i, j] = self._known.get(copies, np.nan)
         known: FloatArray = self._costs[some]
         return np.where(np.isnan(known), WORK_WEIGHT, known)
 
-    def _vertices(self, side: int, index: int, closed: bool) -> ComplexArray:
-        """Return a few vertices of a contour in its unit box."""
+    def _solve(self, i: int, j: int, copies: tuple[int, int], most: float) -> None:
+        """Find the cost of a pair up to a maximum, or whatever it is if it was beyond another maximum before."""
+        if most <= self._beyond.get(copies, 0.0):
+            return
+        limit = np.inf
+        if most < WORK_WEIGHT and copies not in self._beyond:
+            limit = WORK_HALF_SATURATION * most / (WORK_WEIGHT - most)
+        closed = self._a.contours[i].polygon.closed and self._b.contours[j].polygon.closed
+        (p, turning_p), (q, turning_q) = self._outline(0, i, closed), self._outline(1, j, closed)
+        work = np.inf
+        if LIKENESS.k_b * abs(turning_p - turning_q) <= limit:  # it bends by no less
+            work = work_of_few(p, q, closed, LIKENESS, limit)
+        if work == np.inf > limit:
+            self._beyond[copies] = most
+        else:
+            self._known[copies] = WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
+
+    def _outline(self, side: int, index: int, closed: bool) -> tuple[ComplexArray, float]:
+        """Return a few vertices of a contour in its unit box, and how far they turn in all."""
         key = side, index, closed
         if key not in self._few:
-            polygon = (self._a, self._b)[side].contours[index].polygon
-            self._few[key] = few(to_unit_box(polygon), closed)
+            vertices = few(to_unit_box((self._a, self._b)[side].contours[index].polygon), closed)
+            self._few[key] = vertices, turning(vertices, closed)
         return self._few[key]
 
     def _worth_solving(self, cheap: FloatArray) -> BoolArray:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import distinct
+from shapeblend_cli.matching.angles import turns
 from shapeblend_cli.matching.solve import NothingLess, Search, least_work
 from shapeblend_cli.matching.work import Wires
 
@@ -55,3 +56,12 @@ def few(vertices: ComplexArray, closed: bool) -> ComplexArray:
         vertices = vertices[np.round(chosen).astype(np.intp)]
     # An outline that runs back over itself may have its vertices in pairs.
     return vertices[distinct(vertices, closed, _COINCIDENT)]
+
+
+def turning(vertices: ComplexArray, closed: bool) -> float:
+    """Return how far a polygon turns in all, to whichever side.
+
+    Any path between two polygons bends by the difference of theirs at least. At each dot an angle changes by the
+    difference of two turns or more, and of a run of coincident vertices each end has half of the turn of its vertex.
+    """
+    return float(np.abs(turns(vertices, closed)).sum())
