@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 GONE = 0.46
 """Time at which the drawing that leaves is gone: it is quicker than the one that comes."""
 
-COMES = 0.435
+COMES = 0.445
 """Time at which a drawing begins to come: nearly when the other one is gone, else both would be a lump."""
 
 KNOTS = 12
 """Number of even steps of which the pace of a drawing is made."""
 
-SNAP = 8
+SNAP = 16
 """Power of the time by which a drawing shrinks, and backwards grows: large for long, and small for moments only."""
 
 SAME_VIEW = 1e-6
