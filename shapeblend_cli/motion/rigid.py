@@ -20,7 +20,7 @@ THINNEST = 0.1
 """Minimum size of a drawing across the axis about which it is turned over, as a share of its own: none vanishes."""
 
 ON_EDGE = 0.45
-"""Time at which what is turned over is seen from its edge: not half way, where many look, and it would be a line."""
+"""Time at which what is turned over is seen from its edge: half way, the middle frame would be a line."""
 
 BROADSIDE = 5
 """Power of the time by which it turns: broad for long, and thin for moments only."""

@@ -211,6 +211,7 @@ class Works:
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
         self._known = {} if known is None else known
         self._beyond: dict[tuple[int, int], float] = {}  # the least cost of pairs not solved in full
+        # Vertices, and how far they turn, by side, index and whether closed.
         self._few: dict[tuple[int, int, bool], tuple[ComplexArray, float]] = {}
 
     def costs(

@@ -1,9 +1,8 @@
 """How well it is told which drawings rather take each other's place: `python -m tools.grading.exchanges`.
 
-Two or three graders graded blends of drawings of npm sets, half of them by lot and half of one kind each, without
-knowing what made them. Beside the mean of their grades stands what `blending/swaps/unlike.py` asks of each. Least
-squares give what a radian of bending and what the drawings have in common should count beside the grade that trees
-tell.
+Two graders or more graded each of many blends of drawings of npm sets, by lot or two of one kind, without knowing what
+made them. Beside the mean of their grades stands what `blending/swaps/unlike.py` asks of each. Least squares give what
+a radian of bending and what the drawings have in common should count beside the grade that trees tell.
 """
 
 from __future__ import annotations

@@ -181,7 +181,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
 
 
 def _is_turned_copy(shape: ShapeBlend) -> bool:
-    """Return whether a shape turns with its drawing to the other one, which is not just long as well."""
+    """Return whether a shape turns because B is A turned, or turned over, and not because both are long."""
     return shape.motion_name in TURNING and shape.reason != POINTS_ELSEWHERE
 
 
