@@ -208,7 +208,9 @@ def several(act: Callable[..., None], *values: Sequence[Any]) -> Iterator[Iterat
 
     pool = ThreadPoolExecutor(THREADS)
     try:
-        yield pool.map(act, *values)
+        with uninterrupted():  # a thread that the pool has started and not yet noted would not be waited for
+            done = pool.map(act, *values)
+        yield done
     finally:
         pool.shutdown(cancel_futures=True)
 

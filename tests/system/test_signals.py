@@ -1,6 +1,7 @@
 """Signals that come while kernels work."""
 
 import signal
+import sys
 import time
 from functools import partial
 
@@ -15,6 +16,8 @@ from shapeblend_cli.matching.tables import Progress, Terminals, Window
 from shapeblend_cli.matching.travel import Stations, add_travel
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.options.constants import WorkConstants
+from shapeblend_cli.system.interrupts import Interrupted, listening
+from shapeblend_cli.system.write import several
 from tests.support.contours import polygon
 
 
@@ -82,3 +85,25 @@ def test_kernels_that_work_for_a_minute_look_for_signals(kernel):
     finally:
         signal.signal(signal.SIGALRM, before)
     assert time.monotonic() - began < 20.0
+
+
+def test_a_stop_while_files_are_handed_to_threads_waits_for_all_of_them():
+    unfinished = []
+
+    def act(k):
+        unfinished.append(k)
+        if k == 0:
+            signal.raise_signal(signal.SIGTERM)
+        time.sleep(0.003)
+        unfinished.remove(k)
+
+    before = signal.signal(signal.SIGTERM, signal.SIG_DFL), sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        for _ in range(200):
+            with pytest.raises(Interrupted), listening(), several(act, range(16)) as each:
+                list(each)
+            assert not unfinished
+    finally:
+        signal.signal(signal.SIGTERM, before[0])
+        sys.setswitchinterval(before[1])
