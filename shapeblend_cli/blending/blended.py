@@ -12,7 +12,7 @@ from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings,
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
 from shapeblend_cli.blending.parts.faded import with_details_faded
-from shapeblend_cli.blending.parts.paced import KEPT, with_parts_paced
+from shapeblend_cli.blending.parts.paced import with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
@@ -59,6 +59,9 @@ SHIPS = 1.2
 LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in grades."""
 
+STAYS = 0.42
+"""Minimum share of the lines that stays, of the drawing with more of them, for neither to make room for the other."""
+
 MOST_STEPS = 1000
 """Maximum number of steps of a blend that are kept for the others that are tried: many pairs and matches are the
 same."""
@@ -98,7 +101,7 @@ def blend_shapes(
     if _is_free(settings):
         progress = progress.keeping(MOST_STEPS)
     may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
-    may_swap = may_swap and (lines is None or lines.kept < KEPT)
+    may_swap = may_swap and (lines is None or not pens or _share_that_stays(lines, pens) < STAYS)
 
     def swap(shapes: Shapes) -> Shapes:
         if may_swap and pens and not is_swapped(shapes) and are_too_unlike(a, b, shapes, pens, view):
@@ -126,6 +129,15 @@ def blend_shapes(
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
     may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
     return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
+
+
+def _share_that_stays(lines: LineBlend, pens: tuple[PenDrawing, PenDrawing]) -> float:
+    """Return what share of the lines stays, of the drawing with more of them.
+
+    All of a check mark may lie on the edge of a pencil, of which little stays then.
+    """
+    shorter, longer = sorted(sum(line.length for line in pen.lines) for pen in pens)
+    return lines.kept * shorter / longer if longer else 0.0
 
 
 def _as_silhouettes(

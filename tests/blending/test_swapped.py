@@ -10,10 +10,9 @@ from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swaps import unlike
 from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
 from shapeblend_cli.blending.swaps.unlike import (
+    ANY,
     FAULTY,
-    HOPELESS,
-    IN_COMMON,
-    PER_BENT,
+    SIGNS,
     TOLD,
     TOLD_IF_BENT,
     TOLD_IF_SIMPLE,
@@ -273,29 +272,41 @@ def test_drawings_whose_parts_have_partners_blend(a, b):
     assert not is_swapped(pair.shapes)
 
 
-@pytest.mark.parametrize(
-    ("told", "bent", "covered", "is_worse"),
-    [
-        (HOPELESS, 0.0, 0.0, True),
-        (HOPELESS - 0.01, 0.0, 0.0, False),
-        (HOPELESS - PER_BENT + 0.01, 1.0, 0.0, True),
-        (HOPELESS - PER_BENT - 0.01, 1.0, 0.0, False),
-        (HOPELESS + 0.5 * IN_COMMON + 0.01, 0.0, 0.5, True),
-        (HOPELESS + 0.5 * IN_COMMON - 0.01, 0.0, 0.5, False),
-    ],
-)
-def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, told, bent, covered, is_worse):
+SIGN = ICONS / "bootstrap/bell.svg", ICONS / "bootstrap/bookmark-check.svg"
+PICTURE = DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg"
+
+
+@pytest.mark.parametrize(("files", "limits"), [(SIGN, (ANY, SIGNS)), (PICTURE, (ANY,))])
+@pytest.mark.parametrize(("bent", "covered"), [(0.0, 0.0), (1.0, 0.0), (0.0, 0.5)])
+def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, files, limits, bent, covered):
     class Seen:
         ink = np.array([[0.0, covered, 1.0 - covered], [1.0] * 3, [0.0, covered, 0.0]])
 
-    (pair,) = sb.blend(DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg", swap="never").pairs
+    (pair,) = sb.blend(*files, swap="never").pairs
     monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: told)
     monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
     monkeypatch.setattr(unlike, "_main_bending", lambda shapes: bent)
-    assert is_hopeless(pair.shapes, pair.views[0]) == is_worse
+    least = min(
+        max(limit.least - limit.per_bent * bent + limit.in_common * covered, limit.told) for limit in limits
+    )
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: least - 0.01)
+    assert not is_hopeless(pair.shapes, pair.views[0])
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: least + 0.01)
+    assert is_hopeless(pair.shapes, pair.views[0])
     monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY - 0.01)
     assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
+
+
+def test_a_sign_with_a_badge_stays_however_much_its_outline_is_bent_by_that(monkeypatch):
+    class Seen:
+        ink = np.array([[1.0, 1.0, 1.0, 1.0], [1.0] * 4, [1.0, 1.0, 1.0, 0.0]])
+
+    (pair,) = sb.blend(*SIGN, swap="never").pairs
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
+    monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
+    monkeypatch.setattr(unlike, "_main_bending", lambda shapes: WHOLLY)
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: 1.6)
+    assert not is_hopeless(pair.shapes, pair.views[0])
 
 
 @pytest.fixture
@@ -307,6 +318,25 @@ def always_bad(monkeypatch):
 
 def is_given_up(pair):
     return is_hopeless(pair.shapes, pair.views[0])
+
+
+def drawn(*paths):
+    stroke = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
+    return drawing("".join(f'<path d="{path}" {stroke}/>' for path in paths))
+
+
+PENCIL = drawn("M4 20V16L16 4L20 8L8 20Z", "M13 7L17 11", "M8 16L17 7", "M4 16L8 20")
+
+
+def test_lines_that_stay_decide_nothing_if_they_are_a_small_part_of_the_other_drawing():
+    (pair,), _ = match_all([PENCIL, drawn("M4 15L8 20L20 8")], Settings())
+    assert is_swapped(pair.shapes), "the long arm of the check mark lies on the edge of the pencil"
+
+
+@pytest.mark.usefixtures("always_bad")
+def test_drawings_of_which_much_stays_blend_however_bad_that_looks():
+    (pair,) = sb.blend(ICONS / "lucide/plus.svg", ICONS / "lucide/minus.svg").pairs
+    assert not is_swapped(pair.shapes)
 
 
 @pytest.mark.usefixtures("always_bad")

@@ -6,7 +6,7 @@ reads as scrap on its way, however evenly it moves.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -86,14 +86,33 @@ OWN = 1.5
 WHOLLY = 1.5
 """Maximum spread of turns that makes a difference to other drawings than lines, in radians."""
 
-PER_BENT = 0.26
-"""Increase of the grade that trees tell of other blends for each radian by which the largest outline is bent."""
 
-IN_COMMON = 0.84
-"""Reduction of that grade if each drawing covers the other one."""
+class Hopeless(NamedTuple):
+    """From when on the blend of drawings that are not lines alone is hopeless."""
 
-HOPELESS = 1.4
-"""Minimum grade with these for the drawings to be swapped."""
+    least: float  # grade that trees tell, with the two below
+    per_bent: float  # increase for each radian by which the largest outline is bent
+    in_common: float  # reduction if each drawing covers the other one
+    told: float  # grade that trees must tell without these
+
+    def is_reached(self, told: float, covered: float, bent: float) -> bool:
+        """Return whether a blend is that bad."""
+        grade = told + self.per_bent * bent - self.in_common * covered
+        return told >= self.told and grade >= self.least
+
+
+ANY = Hopeless(1.4, 0.26, 0.84, told=0.0)
+"""Limit for all drawings."""
+
+SIGNS = Hopeless(1.7, 1.0, 0.6, told=1.2)
+"""Further limit for signs, such as icons: a bent one is soon a lump."""
+
+FEW = 8
+"""Maximum number of contours of a blend of signs, which have one colour."""
+
+BADGED = 0.75
+"""Minimum share that signs cover of each other for the difference to be a detail, such as a badge."""
+
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
@@ -176,8 +195,21 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
         return False
     first, *_, last = seen_of(shapes, view).ink
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
-    grade = told_grade(shapes, view) - IN_COMMON * covered
-    return grade >= HOPELESS - PER_BENT * WHOLLY and grade + PER_BENT * _main_bending(shapes) >= HOPELESS
+    told = told_grade(shapes, view)
+    limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
+    if not any(limit.is_reached(told, covered, WHOLLY) for limit in limits):
+        return False
+    bent = _main_bending(shapes)
+    return any(limit.is_reached(told, covered, bent) for limit in limits)
+
+
+def _are_signs(shapes: Shapes) -> bool:
+    """Return whether a blend has few contours, and a single colour."""
+    if sum(len(shape.contours) for shape in shapes) > FEW:
+        return False
+    styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
+    paints = {paint for style in styles for paint in (style.fill, style.stroke) if paint is not None}
+    return len(paints) == 1 and not any(style.fill_gradient or style.stroke_gradient for style in styles)
 
 
 def _is_turned_copy(shape: ShapeBlend) -> bool:
