@@ -51,6 +51,9 @@ MANY = 4
 ORDER = 10
 """Number of such places from which the outline between them is interpolated: with this grid to about ten digits."""
 
+STRAIGHT = 1e-12
+"""Minimum change of direction at a corner: on straight lines rounding makes smaller ones, at every vertex."""
+
 OUTLINE = 1e-3
 """Share of the outline itself in the smoothed one, so that neighbours stay distinct."""
 
@@ -91,7 +94,7 @@ def smoothed(vertices: ComplexArray, closed: bool, sigma: float) -> ComplexArray
     at = ends[: len(vertices)] / length
     if closed:
         turn = direction - rolled(direction, 1)
-        bends = turn != 0.0
+        bends = np.abs(turn) > STRAIGHT
         turn, place = turn[bends], at[bends]
         turns = np.concatenate([turn, turn, turn])
         corners = np.concatenate([place - 1.0, place, place + 1.0])
@@ -137,6 +140,7 @@ def _add_moves(
     corner: cython.Py_ssize_t
     vertex: cython.Py_ssize_t
     reach: cython.double = REACH * sigma
+    fine: cython.double = FINE / sigma
     ramp: cython.double[:, ::1] = _ramp()
     for vertex in range(at.shape[0]):
         if vertex % 64 == 0:
@@ -147,14 +151,10 @@ def _add_moves(
         x: cython.double = 0.0
         y: cython.double = 0.0
         while corner < corners.shape[0] and corners[corner] <= at[vertex] + reach:
-            place: cython.double = fabs(corners[corner] - at[vertex]) / sigma * FINE
+            place: cython.double = fabs(corners[corner] - at[vertex]) * fine
             k: cython.Py_ssize_t = cython.cast(cython.Py_ssize_t, place)
             u: cython.double = place - k
-            # Hermite's cubic between two places of the table.
-            rest: cython.double = 1.0 - u
-            height: cython.double = (1.0 + 2.0 * u) * rest * rest * ramp[k, 0]
-            height += (3.0 - 2.0 * u) * u * u * ramp[k + 1, 0]
-            height += u * rest * (rest * ramp[k, 1] - u * ramp[k + 1, 1])
+            height: cython.double = ramp[k, 0] + u * (ramp[k, 1] + u * (ramp[k, 2] + u * ramp[k, 3]))
             x += turns[corner].real * height
             y += turns[corner].imag * height
             corner += 1
@@ -163,20 +163,28 @@ def _add_moves(
 
 @cache
 def _ramp() -> FloatArray:
-    """Return the height of the ramp max(x, 0), smoothed by the standard Gaussian, above itself at x, and its slope.
+    """Return the ramp max(x, 0), smoothed by the standard Gaussian, above itself at x, in pieces: (MOST, 4) float.
 
-    They are known at `FINE` places x in a standard deviation. A cubic between two of them is off by 1e-15.
+    There are `FINE` of them in a standard deviation. Each is the cubic with its heights and slopes at both ends, by its
+    coefficients, the constant first. It is off by 1e-15.
     """
-    ramp = np.empty((MOST, 2))
+    ramp = np.empty((MOST, 4))
     _fill_ramp(ramp)
-    ramp[:, 1] /= FINE
     return ramp
 
 
 def _fill_ramp(ramp: cython.double[:, ::1]) -> None:
-    """Fill in the heights, and the slopes in a standard deviation."""
+    """Fill in the pieces, the last one first."""
     k: cython.Py_ssize_t
-    for k in range(ramp.shape[0]):
+    end: cython.double = 0.0
+    end_slope: cython.double = 0.0
+    for k in range(ramp.shape[0], -1, -1):
         x: cython.double = k / FINE
-        ramp[k, 1] = -0.5 * erfc(x * ROOT_HALF)
-        ramp[k, 0] = exp(-0.5 * x * x) / ROOT_TWO_PI + x * ramp[k, 1]
+        slope: cython.double = -0.5 * erfc(x * ROOT_HALF)
+        height: cython.double = exp(-0.5 * x * x) / ROOT_TWO_PI + x * slope
+        slope /= FINE
+        if k < ramp.shape[0]:
+            ramp[k, 0], ramp[k, 1] = height, slope
+            ramp[k, 2] = 3.0 * (end - height) - 2.0 * slope - end_slope
+            ramp[k, 3] = 2.0 * (height - end) + slope + end_slope
+        end, end_slope = height, slope
