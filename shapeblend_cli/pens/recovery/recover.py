@@ -100,16 +100,12 @@ ROUND_POINTS = 9
 
 
 class _Samples(NamedTuple):
-    """Points of outlines, (n,) each: where, unit normals into the region, contours, and lengths around them.
-
-    `in_corner` is the diameter of a ball that touches the outline there and beyond the corner next to it.
-    """
+    """Points of outlines, (n,) each: where, unit normals into the region, contours, and lengths around them."""
 
     points: ComplexArray
     normals: ComplexArray
     contour: IntArray
     spacing: FloatArray
-    in_corner: FloatArray
 
 
 def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[ComplexArray]] | None:
@@ -133,15 +129,15 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
     )
     if diameters is None:
         return None
-    in_corner = np.abs(diameters - samples.in_corner) < NEAR_WIDTH * diameters + LEAST_TOLERANCE
+    beside_corner = np.abs(diameters - _corner_diameters(contours, lengths, samples))
+    in_corner = beside_corner < NEAR_WIDTH * diameters + LEAST_TOLERANCE
     widths = _pen_widths(diameters, samples.spacing, ~in_corner)
     if not len(widths):
         return None
     nearest = np.abs(diameters[:, None] - widths).argmin(axis=1)
     is_pen = np.abs(diameters - widths[nearest]) < NEAR_WIDTH * widths[nearest] + LEAST_TOLERANCE
-    is_beside = is_pen | ~(
-        in_corner & (diameters < widths.max())
-    )  # the corners at cut ends are all within a width
+    # The corners at cut ends are all within a width.
+    is_beside = is_pen | ~(in_corner & (diameters < widths.max()))
     if samples.spacing[is_pen].sum() < LEAST_SHARE * samples.spacing[is_beside].sum():
         return None
     pen = np.where(is_pen, nearest, -1)
@@ -158,13 +154,19 @@ def recover(contours: Sequence[ComplexArray]) -> tuple[list[Recovered], list[Com
     return checked(lines, region, contours)
 
 
+def _steps(own: FloatArray) -> tuple[IntArray, IntArray, IntArray]:
+    """Return the segments with a length, into how many steps each is cut, and the number of each step in its own."""
+    used = (own > 1e-9).nonzero()[0]
+    counts = np.maximum(np.ceil(own[used] / STEP), 2).astype(np.intp)
+    return used, counts, numbered(counts)
+
+
 def _sampled(contours: Sequence[ComplexArray], lengths: Sequence[FloatArray]) -> _Samples:
     """Sample outlines, of segments of these lengths, at the middles of steps of even parameter: no corners."""
     parts = []
     for number, (segments, own) in enumerate(zip(contours, lengths, strict=True)):
-        used = (own > 1e-9).nonzero()[0]
-        counts = np.maximum(np.ceil(own[used] / STEP), 2).astype(np.intp)
-        count, within = counts.repeat(counts), numbered(counts)
+        used, counts, within = _steps(own)
+        count = counts.repeat(counts)
         t = (within + 0.5) / count
         points = segments.take(used.repeat(counts), axis=0)
         handles = 3.0 * (points[:, 1:] - points[:, :-1])
@@ -172,26 +174,25 @@ def _sampled(contours: Sequence[ComplexArray], lengths: Sequence[FloatArray]) ->
         velocity = u * u * handles[:, 0] + 2.0 * u * t * handles[:, 1] + t * t * handles[:, 2]
         speed = np.abs(velocity)
         normals = 1j * velocity / np.where(speed > 0.0, speed, 1.0)
-        spacing = speed / count
-        from_ends = spacing * (within + 0.5), spacing * (count - within - 0.5)
-        corner = _corner_balls(segments[used])
-        in_corner = np.minimum(
-            *(at.repeat(counts) * away for at, away in zip(corner, from_ends, strict=True))
-        )
-        parts.append((cubics.evaluate(points, t), normals, np.full(len(t), number), spacing, in_corner))
+        parts.append((cubics.evaluate(points, t), normals, np.full(len(t), number), speed / count))
     return _Samples(*(np.concatenate(each) for each in zip(*parts, strict=True)))
 
 
-def _corner_balls(segments: ComplexArray) -> tuple[FloatArray, FloatArray]:
-    """Return how fast balls that touch both sides of a corner grow, at the start and the end of each segment.
-
-    That is their diameter per distance from the corner, infinite where there is none.
-    """
-    starts, ends = cubics.directions(segments)
-    turn = np.angle(starts * rolled(ends, 1).conj())
-    is_corner = turn > CORNER
-    growth = np.where(is_corner, 2.0 / np.tan(np.where(is_corner, turn, 1.0) / 2.0), np.inf)
-    return growth, rolled(growth, -1)
+def _corner_diameters(
+    contours: Sequence[ComplexArray], lengths: Sequence[FloatArray], samples: _Samples
+) -> FloatArray:
+    """Return the diameter of a ball that touches the outline at each sample and beyond the corner next to it."""
+    found = []
+    for number, (segments, own) in enumerate(zip(contours, lengths, strict=True)):
+        used, counts, within = _steps(own)
+        starts, ends = cubics.directions(segments[used])
+        turn = np.angle(starts * rolled(ends, 1).conj())
+        growth = np.where(turn > CORNER, 2.0 / np.tan(np.where(turn > CORNER, turn, 1.0) / 2.0), np.inf)
+        spacing = samples.spacing[samples.contour == number]
+        at_start = growth.repeat(counts) * (spacing * (within + 0.5))
+        at_end = rolled(growth, -1).repeat(counts) * (spacing * (counts.repeat(counts) - within - 0.5))
+        found.append(np.minimum(at_start, at_end))
+    return np.concatenate(found)
 
 
 def _pen_widths(diameters: FloatArray, spacing: FloatArray, is_free: BoolArray) -> FloatArray:
