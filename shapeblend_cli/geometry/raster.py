@@ -55,9 +55,9 @@ def winding_grid(
     (side, side) int
         A row for each y; positive where a polygon runs from x towards y.
     """
-    numbers = np.zeros((side, side + 1), np.intc)
+    numbers = np.zeros((side, side), np.intc)
     _wind(starts, ends, corner, 1.0 / step, numbers)
-    return numbers[:, :side]  # type: ignore[return-value]
+    return numbers  # type: ignore[return-value]
 
 
 def _wind(
@@ -100,11 +100,12 @@ def _wind(
             numbers[row, k] += numbers[row, k - 1]
 
 
-def count_folds(numbers: cython.const[cython.int][:, :]) -> int:
+def count_folds(numbers: cython.const[cython.int][:, ::1]) -> int:
     """Return the number of points of a grid round which outlines wind the other way than round most, or twice."""
-    total: cython.Py_ssize_t = 0
-    wrong: cython.Py_ssize_t = 0
-    wrong_turned: cython.Py_ssize_t = 0
+    # As wide as what is counted, so that the C compiler counts several at once.
+    total: cython.int = 0
+    wrong: cython.int = 0
+    wrong_turned: cython.int = 0
     row: cython.Py_ssize_t
     k: cython.Py_ssize_t
     for row in range(numbers.shape[0]):
@@ -116,10 +117,10 @@ def count_folds(numbers: cython.const[cython.int][:, :]) -> int:
     return wrong_turned if total < 0 else wrong
 
 
-def count_unlike(numbers: cython.const[cython.int][:, :]) -> tuple[int, int]:
+def count_unlike(numbers: cython.const[cython.int][:, ::1]) -> tuple[int, int]:
     """Return how many points of a grid are inside, or else outside, unlike their mirror images in x; and all inside."""
-    unlike: cython.Py_ssize_t = 0
-    inside: cython.Py_ssize_t = 0
+    unlike: cython.int = 0
+    inside: cython.int = 0
     last: cython.Py_ssize_t = numbers.shape[1] - 1
     row: cython.Py_ssize_t
     k: cython.Py_ssize_t
