@@ -3,6 +3,7 @@
 import gc
 import importlib.util
 import os
+import pickle
 import sys
 from pathlib import Path
 
@@ -57,6 +58,29 @@ def here(tmp_path, monkeypatch):
 def forked(monkeypatch):
     """Fork the processes of batches and of studios."""
     monkeypatch.setattr("shapeblend_cli.system.processes.subprocess", SUBPROCESS)
+
+
+@pytest.fixture(scope="module")
+def blended_once(request):
+    """Blend the same drawings with the same settings once, for tests of what is done with blends.
+
+    It is not for tests that change the package, or that ask whether a second blend is like the first.
+    """
+    from shapeblend_cli.pipeline import match_all
+
+    made = {}
+
+    def match(drawings, settings, *others):
+        key = pickle.dumps((drawings, settings))
+        if key not in made:
+            made[key] = match_all(drawings, settings, *others)
+        return tuple(map(list, made[key]))
+
+    with pytest.MonkeyPatch.context() as once:
+        for module in (request.module, "shapeblend_cli.job.make", "shapeblend_cli.api"):
+            name = module if isinstance(module, str) else module.__name__
+            once.setattr(f"{name}.match_all", match, raising=False)
+        yield
 
 
 @pytest.fixture

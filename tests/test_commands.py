@@ -26,6 +26,8 @@ from shapeblend_cli.cli import run
 from tests.support.documents import ROOT, blocks, commands, furnish
 from tests.support.drawings import svg
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 PLACEHOLDERS = {"FILE": "a.svg", "KIND": "graph", "COMMAND": "plot"}
 
 NOT_RUN = {

@@ -12,6 +12,8 @@ from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import drawing
 from tests.support.handwriting import letter_o, letter_s, path, stroke
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 S, RING = path(letter_s()), path(*letter_o())
 VIEW = Box(0.0, 0.0, 24.0, 24.0)
 BAR = path(stroke(np.linspace(4.0 + 12.0j, 20.0 + 12.0j, 30), 1.5))

@@ -11,6 +11,8 @@ from shapeblend_cli.cli import run
 from tests.support.commands import contents, made, report, write
 from tests.support.drawings import BAR, svg
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 AB = ["a.svg", "b.svg"]
 RED, GREEN, BLUE, WHITE = (255, 0, 0, 255), (0, 255, 0, 255), (0, 0, 255, 255), (255, 255, 255, 255)
 CLEAR = (0, 0, 0, 0)

@@ -3,9 +3,13 @@
 from pathlib import Path
 from xml.etree import ElementTree
 
+import pytest
+
 from shapeblend_cli.cli import run
 from tests.support.commands import write
 from tests.support.drawings import BAR, EIGHT, LEAF, RING, B, svg
+
+pytestmark = pytest.mark.usefixtures("blended_once")
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -11,6 +11,8 @@ from shapeblend_cli.cli import run
 from tests.support.commands import assert_refused, points, write
 from tests.support.drawings import BAR, LEAF, svg
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 

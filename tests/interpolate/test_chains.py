@@ -20,6 +20,8 @@ from tests.support.motions import rotated
 from tests.support.shapes import star_polygon
 from tests.support.strategies import rngs
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 EVENODD = 'fill-rule="evenodd"'
 CIRCLE = "M22 12A10 10 0 1 0 2 12A10 10 0 1 0 22 12Z"
 STAR = "M12 2 15 9 22 9 17 14 19 22 12 17 5 22 7 14 2 9 9 9Z"

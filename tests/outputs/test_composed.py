@@ -18,6 +18,8 @@ from shapeblend_cli.svg.writing.document import frame_svg
 from tests.support.drawings import drawing
 from tests.support.images import checkerboard, face, image
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 HEART = (
     "M12 22C5 17 1 12 1 7.5C1 4 3.5 2 6.5 2C9 2 11 3.5 12 5.5"
     "C13 3.5 15 2 17.5 2C20.5 2 23 4 23 7.5C23 12 19 17 12 22Z"

@@ -10,6 +10,8 @@ from shapeblend_cli.cli import run
 from tests.support.commands import write
 from tests.support.drawings import svg
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 BARS = '<path d="M4 5h16"/><path d="M4 12h16"/><path d="M4 19h16"/>'
 CROSS = '<path d="M18 6 6 18"/><path d="m6 6 12 12"/>'
 PEN = 'fill="none" stroke="{}" stroke-width="2" stroke-linecap="round"'

@@ -8,6 +8,8 @@ from shapeblend_cli.pipeline import match_all
 from tests.support.contours import furthest, polyline
 from tests.support.drawings import drawing
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 FILL, STROKE = '<path d="{}" fill="#fc0"/>', '<path d="{}" fill="none" stroke="#000" stroke-width="{}"/>'
 LEAF, DROP = "M4 20C4 8 8 4 20 4C20 16 16 20 4 20Z", "M14 22C6 22 5 15 8 10L14 2L20 10C23 15 22 22 14 22Z"
 # The upper and the lower half of the leaf, in other directions, and its middle.

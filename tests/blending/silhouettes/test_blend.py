@@ -1,5 +1,7 @@
 """Drawings whose gaps close before the silhouette becomes the other one."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -39,7 +41,13 @@ EYE = "M{0} 50V54H{1}V50Z"
 
 def two(a=TORTOISE, b=TURTLE, **settings):
     drawings = [drawing(path, viewbox="0 0 64 64") for path in (a, b)]
-    return pair_of(*drawings, swap="never", **settings)
+    return pair_of(*drawings, swap="never", vertices=100, **settings)
+
+
+@cache
+def usual(a=TORTOISE, b=TURTLE):
+    """The pair of two drawings where nothing in the package is changed, blended once."""
+    return two(a, b)
 
 
 def ink(pair, t):
@@ -62,7 +70,7 @@ def always(monkeypatch):
 
 @pytest.mark.parametrize("backwards", [False, True])
 def test_plates_of_a_shell_meet_before_it_becomes_another(backwards):
-    pair = two(*[TORTOISE, TURTLE][:: -1 if backwards else 1])
+    pair = usual(*[TORTOISE, TURTLE][:: -1 if backwards else 1])
     assert closes(pair)
     whole = silhouette(pair)
     gaps = [(ink(whole, t) - ink(pair, t)).sum() for t in (0.0, 0.3, 0.4, 0.5, 0.6, 0.7, 1.0)]
@@ -72,9 +80,9 @@ def test_plates_of_a_shell_meet_before_it_becomes_another(backwards):
 
 
 def test_the_drawings_are_at_the_ends_and_close_to_them():
-    pair = two()
+    pair = usual()
     for t, path in ((0.0, TORTOISE), (1.0, TURTLE)):
-        own = two(path, path)
+        own = usual(path, path)
         assert np.abs(ink(pair, t) - ink(own, t)).sum() <= 0.08 * ink(own, t).sum()
         near = abs(t - 0.02)
         assert np.abs(ink(pair, near) - ink(own, t)).sum() <= 0.12 * ink(own, t).sum()
@@ -99,7 +107,7 @@ def test_gaps_move_the_same_way_backwards():
 
 @pytest.mark.parametrize(("end", "t"), [(0.0, 1.0 / 3.0), (1.0, 2.0 / 3.0)])
 def test_gaps_are_no_cracks_until_shortly_before_they_close(end, t):
-    pair = two()
+    pair = usual()
     whole = silhouette(pair)
     gaps = [ink(whole, each).sum() - ink(pair, each).sum() for each in (end, t)]
     assert gaps[1] >= 0.4 * gaps[0]
@@ -115,7 +123,7 @@ def silhouette(pair):
 
 @pytest.mark.parametrize("t", [0.1, 0.25, 0.4, 0.6, 0.75, 0.9])
 def test_gaps_stay_in_the_silhouette(t):
-    pair = two()
+    pair = usual()
     beyond = (ink(pair, t) > 0.5) & (ink(silhouette(pair), t) < 0.5)
     assert beyond.mean() <= 0.004
 
@@ -131,7 +139,7 @@ def test_points_of_the_silhouette_stay_nearer_to_their_places_if_that_looks_bett
 
 
 def test_waypoints_are_few():
-    (shape,) = two().shapes
+    (shape,) = usual().shapes
     assert len(waypoints(shape)) < 40
 
 
@@ -146,7 +154,7 @@ def test_a_blend_that_looks_right_stays(monkeypatch):
 
 @pytest.mark.parametrize("width", WORSE)
 def test_silhouettes_have_to_look_far_better(width, monkeypatch):
-    assert closes(two())
+    assert closes(usual())
     monkeypatch.setattr(blend, "WIDTHS", (width,))
     assert not closes(two())
 

@@ -16,6 +16,8 @@ from shapeblend_cli.svg.writing.smil import smil_svg
 from tests.support.drawings import BAR, LEAF, RING, drawing
 from tests.support.motions import rotated
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
 SLOW_START = Ease(0.42, 0.0, 1.0, 1.0)
 
