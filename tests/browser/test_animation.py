@@ -28,6 +28,8 @@ from tests.support.ends import ENDS, SHADED, card, emitted_ends
 from tests.support.images import checkerboard, face, image
 from tests.support.motions import rotated
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 SIZE = 120
 EVENODD = 'fill-rule="evenodd"'
 

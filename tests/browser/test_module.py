@@ -15,6 +15,8 @@ from tests.support.drawings import EYED, LEAF, svg
 from tests.support.equipment import INSTALLED, require
 from tools.icons import pairs_in
 
+pytestmark = pytest.mark.usefixtures("blended_once")
+
 SAMPLES = ROOT / "samples"
 ICONS = ROOT / "docs" / "icons"
 TIMES = [0.001, *(k / 20 for k in range(1, 20)), 0.999]  # the drawings themselves may be cut otherwise
@@ -81,12 +83,15 @@ OFF = """([text, share]) => {
         return copy;
     });
     const [shown, wanted] = [visible(svg), visible(board)].map(bare);
-    const point = (path, share) => path.getPointAtLength(path.getTotalLength() * share);
+    const pointsOf = (path, count) => {
+        const length = path.getTotalLength();
+        return Array.from({length: count}, (_, k) => path.getPointAtLength(length * k / count));
+    };
     // Chromium's strokes of nearly flat curves have holes: there the nearest of many points counts.
     const dots = new Map();
     const dotsOf = (path) => {
         if (!dots.has(path))
-            dots.set(path, Array.from({length: 2000}, (_, k) => point(path, k / 2000)).map(({x, y}) => [x, y]));
+            dots.set(path, pointsOf(path, 2000).map(({x, y}) => [x, y]));
         return dots.get(path);
     };
     const isNear = ({x, y}, other) => dotsOf(other).some(([u, v]) => Math.hypot(u - x, v - y) < reach);
@@ -95,8 +100,7 @@ OFF = """([text, share]) => {
         || others.some((other) => other.isPointInStroke(one)) || others.some((other) => isNear(one, other));
     // Points of the one that lie on no outline of the other.
     const off = (some, others) => some.flatMap((path, place) => path.getTotalLength() <= reach ? [] :
-        Array.from({length: 100}, (_, k) => point(path, k / 100)).filter((one) => !isOn(one, others, place))
-            .map(({x, y}) => [x, y]));
+        pointsOf(path, 100).filter((one) => !isOn(one, others, place)).map(({x, y}) => [x, y]));
     const found = [...off(shown, wanted), ...off(wanted, shown)];
     board.remove();
     return found;
