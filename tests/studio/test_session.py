@@ -47,6 +47,8 @@ def test_an_export_is_what_the_shown_command_line_writes(client, here, monkeypat
         options["format"] = format.name
     if "fps" in format.defaults:
         options["duration"] = 0.4  # ten pictures, not fifty
+    if "width" in format.defaults:
+        options["width"] = 40
     project = PROJECT | options
     command = client.ask("look", project=project)["command"]
     before = contents(here)

@@ -7,7 +7,7 @@ import numpy as np
 import resvg_py
 from PIL import Image
 
-SIZE, FINER = 160, 3
+SIZE, FINER = 120, 3
 
 
 @lru_cache(maxsize=32)
