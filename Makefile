@@ -14,11 +14,12 @@ DEMO := out/demo
 BROWSER_TESTS := tests/browser
 INKSCAPE_TESTS := tests/inkscape
 DOCS_TESTS := tests/docs
-# In as many processes as there are processors, each file by one of them, in their order: those that take long are
-# not among the last.
-PARALLEL := -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder
-# Browsers wait much of the time, so there is one process more; each takes tests from the others at the end.
-PARALLEL_BROWSERS := -n $(shell expr $$(nproc 2>/dev/null || echo 2) + 1) --maxprocesses 8 --dist worksteal
+# One process more than there are processors: tests wait for others' processes, and browsers much of the time.
+PROCESSES := -n $(shell expr $$(nproc 2>/dev/null || echo 2) + 1) --maxprocesses 8
+# Each file by one process, in their order: those that take long are not among the last.
+PARALLEL := $(PROCESSES) --dist loadfile --no-loadscope-reorder
+# Each process takes tests from the others at the end.
+PARALLEL_BROWSERS := $(PROCESSES) --dist worksteal
 WHEEL_TESTS := tests/wheels
 CLUSTER_TESTS := tests/cluster
 # Compiled modules: pyproject.toml has the list.
