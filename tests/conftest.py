@@ -26,12 +26,13 @@ hypothesis.settings.load_profile("repeatable")
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collection():
-    """Collect tests without a search for garbage, and leave what they are out of later searches."""
+    """Collect tests without a search for garbage, leave what they are out of later searches, and search seldom."""
     gc.disable()
     try:
         return (yield)
     finally:
         gc.freeze()
+        gc.set_threshold(20_000)
         gc.enable()
 
 

@@ -130,6 +130,12 @@ def trees():
     return {module_name(file): ast.parse(file.read_text("utf-8")) for file in sorted(PACKAGE.rglob("*.py"))}
 
 
+@cache
+def nodes(module):
+    """All nodes of its tree."""
+    return [*ast.walk(trees()[module])]
+
+
 _PROJECT = tomllib.loads((PACKAGE.parent / "pyproject.toml").read_text("utf-8"))["tool"]
 KERNELS = {module_name(PACKAGE.parent / kernel) for kernel in _PROJECT["shapeblend"]["kernels"]}
 
@@ -149,7 +155,7 @@ def rooms_below(name):
 def imports(module):
     """Full names that a module imports, anywhere in it: in functions, and for types alone, too."""
     found = []
-    for node in ast.walk(trees()[module]):
+    for node in nodes(module):
         if isinstance(node, ast.Import):
             found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
@@ -223,8 +229,8 @@ def test_libraries_are_known_to_the_rooms_that_wrap_them():
 
 def test_functions_have_few_parameters():
     long = set()
-    for module, tree in trees().items():
-        for function in ast.walk(tree):
+    for module in trees():
+        for function in nodes(module):
             if isinstance(function, ast.FunctionDef):
                 of = function.args
                 every = (*of.posonlyargs, *of.args, *of.kwonlyargs, of.vararg, of.kwarg)
@@ -240,7 +246,7 @@ def test_functions_files_and_rooms_are_small():
         if module_name(file) not in KERNELS and lines_of(file) > LONGEST_FILE
     }
     for module in trees().keys() - KERNELS:
-        for node in ast.walk(trees()[module]):
+        for node in nodes(module):
             if isinstance(node, ast.FunctionDef) and code_lines(node) > MOST_LINES:
                 long.add(f"{module}.{node.name}")
     assert_none(long, "cut it in two where it does two things")
