@@ -63,9 +63,9 @@ def forked(monkeypatch):
 
 @pytest.fixture(scope="module")
 def blended_once(request):
-    """Blend the same drawings with the same settings once, for tests of what is done with blends.
+    """Blend the same drawings with the same settings once, for tests that look at a blend in several ways.
 
-    It is not for tests that change the package, or that ask whether a second blend is like the first.
+    It is not for tests that change the package, or that compare a blend with the same one again.
     """
     from shapeblend_cli.pipeline import match_all
 
