@@ -60,7 +60,7 @@ LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in grades."""
 
 STAYS = 0.42
-"""Minimum share of the lines that stays, of the drawing with more of them, for neither to make room for the other."""
+"""Minimum share of the lines that stays, of the drawing with the longer ones, for neither to make room."""
 
 MOST_STEPS = 1000
 """Maximum number of steps of a blend that are kept for the others that are tried: many pairs and matches are the
@@ -101,7 +101,7 @@ def blend_shapes(
     if _is_free(settings):
         progress = progress.keeping(MOST_STEPS)
     may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
-    may_swap = may_swap and (lines is None or not pens or _share_that_stays(lines, pens) < STAYS)
+    may_swap = may_swap and (lines is None or lines.stays < STAYS)
 
     def swap(shapes: Shapes) -> Shapes:
         if may_swap and pens and not is_swapped(shapes) and are_too_unlike(a, b, shapes, pens, view):
@@ -129,15 +129,6 @@ def blend_shapes(
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
     may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
     return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
-
-
-def _share_that_stays(lines: LineBlend, pens: tuple[PenDrawing, PenDrawing]) -> float:
-    """Return what share of the lines stays, of the drawing with more of them.
-
-    All of a check mark may lie on the edge of a pencil, of which little stays then.
-    """
-    shorter, longer = sorted(sum(line.length for line in pen.lines) for pen in pens)
-    return lines.kept * shorter / longer if longer else 0.0
 
 
 def _as_silhouettes(

@@ -76,7 +76,8 @@ class LineBlend(NamedTuple):
     rest: tuple[list[PlacedContour], list[PlacedContour]]
     settings: Settings
     is_sure: bool = True  # whether outlines cannot be better
-    kept: float = 1.0  # the share of the lines that stays
+    kept: float = 1.0  # the share of the lines that stays, of the drawing with the shorter ones
+    stays: float = 1.0  # the same of the other drawing: all of a check mark may lie on the edge of a pencil
 
 
 def blend_lines(
@@ -114,7 +115,9 @@ def blend_lines(
         return None
     is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
     rest = one.bodies, other.bodies
-    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept)
+    shorter, longer = sorted(sum(line.length for line in drawing.lines) for drawing in (one, other))
+    stays = kept * shorter / max(longer, 1e-9)  # dots have no length
+    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, stays)
 
 
 def _corners(contour: Contour) -> int:

@@ -11,6 +11,7 @@ from shapeblend_cli.blending.swaps import unlike
 from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ANY,
+    BADGED,
     FAULTY,
     SIGNS,
     TOLD,
@@ -277,7 +278,7 @@ PICTURE = DRAWINGS / "envelope.svg", DRAWINGS / "snail.svg"
 
 
 @pytest.mark.parametrize(("files", "limits"), [(SIGN, (ANY, SIGNS)), (PICTURE, (ANY,))])
-@pytest.mark.parametrize(("bent", "covered"), [(0.0, 0.0), (1.0, 0.0), (0.0, 0.5)])
+@pytest.mark.parametrize(("bent", "covered"), [(0.0, 0.0), (1.0, 0.0), (0.0, 0.5), (1.0, 0.5), (0.7, 0.5)])
 def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, files, limits, bent, covered):
     class Seen:
         ink = np.array([[0.0, covered, 1.0 - covered], [1.0] * 3, [0.0, covered, 0.0]])
@@ -297,16 +298,19 @@ def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, files, lim
     assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
 
 
-def test_a_sign_with_a_badge_stays_however_much_its_outline_is_bent_by_that(monkeypatch):
+@pytest.mark.parametrize(("covered", "is_worse"), [(BADGED - 0.01, True), (BADGED, False)])
+def test_a_sign_with_a_badge_is_blended_however_much_its_outline_is_bent_by_that(
+    monkeypatch, covered, is_worse
+):
     class Seen:
-        ink = np.array([[1.0, 1.0, 1.0, 1.0], [1.0] * 4, [1.0, 1.0, 1.0, 0.0]])
+        ink = np.array([[covered, 0.0], [1.0, 1.0], [1.0, 0.0]])
 
     (pair,) = sb.blend(*SIGN, swap="never").pairs
     monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
     monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
     monkeypatch.setattr(unlike, "_main_bending", lambda shapes: WHOLLY)
     monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: 1.6)
-    assert not is_hopeless(pair.shapes, pair.views[0])
+    assert is_hopeless(pair.shapes, pair.views[0]) == is_worse
 
 
 @pytest.fixture

@@ -68,11 +68,13 @@ def preferred() -> None:
         slopes = (terms * (graders * chance * (1.0 - chance))[:, None]).T @ terms
         weights += np.linalg.solve(slopes, terms.T @ (graders * (preferred - chance)))
     number = _told_of("signs", weights, SIGNS, told, bent, covered)
-    print(f"half of the graders prefer the exchange from {-weights[0] / weights[1]:.2f} on")
+    print(
+        f"half of the graders prefer the exchange from {-weights[0] / weights[1]:.2f} on, with the first weights"
+    )
+    others = told + ANY.per_bent * bent - ANY.in_common * covered >= ANY.least
     print("| limit | share | prefer the exchange, of theirs | of the rest |")
     print("| --- | --- | --- | --- |")
     for limit in (SIGNS.least + step for step in STEPS):
-        others = told + ANY.per_bent * bent - ANY.in_common * covered >= ANY.least
         some = ((number >= limit) & (told >= SIGNS.told)) | others
         means = (np.average(preferred[part], weights=graders[part]) for part in (some, ~some))
         print(f"| {limit:.2f} | {some.mean():.2f} | " + " | ".join(f"{mean:.2f}" for mean in means) + " |")

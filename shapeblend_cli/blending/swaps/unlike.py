@@ -88,7 +88,7 @@ WHOLLY = 1.5
 
 
 class Hopeless(NamedTuple):
-    """From when on the blend of drawings that are not lines alone is hopeless."""
+    """The limit beyond which the blend of drawings that are not lines alone is hopeless."""
 
     least: float  # grade that trees tell, with the two below
     per_bent: float  # increase for each radian by which the largest outline is bent
@@ -108,11 +108,10 @@ SIGNS = Hopeless(1.7, 1.0, 0.6, told=1.2)
 """Further limit for signs, such as icons: a bent one is soon a lump."""
 
 FEW = 8
-"""Maximum number of contours of a blend of signs, which have one colour."""
+"""Maximum number of contours of a blend of signs, with or without a partner."""
 
 BADGED = 0.75
 """Minimum share that signs cover of each other for the difference to be a detail, such as a badge."""
-
 
 WAVY = 2.0 * np.pi
 """Maximum change of the turns along a line that splits for it to straighten, in radians."""
