@@ -15,7 +15,7 @@ BROWSER_TESTS := tests/browser
 INKSCAPE_TESTS := tests/inkscape
 DOCS_TESTS := tests/docs
 # One process more than there are processors: tests wait for others' processes, and browsers much of the time.
-PROCESSES := -n $(shell expr $$(nproc 2>/dev/null || echo 2) + 1) --maxprocesses 8
+PROCESSES := -n $(shell expr $$(getconf _NPROCESSORS_ONLN) + 1) --maxprocesses 8
 # Each file by one process, in their order: those that take long are not among the last.
 PARALLEL := $(PROCESSES) --dist loadfile --no-loadscope-reorder
 # Each process takes tests from the others at the end.

@@ -65,7 +65,7 @@ def forked(monkeypatch):
 def blended_once(request):
     """Blend the same drawings with the same settings once, for tests that look at a blend in several ways.
 
-    It is not for tests that change the package, or that compare a blend with the same one again.
+    It is not for tests that change how drawings are blended, or time that, or compare a blend with the same one again.
     """
     from shapeblend_cli.pipeline import match_all
 
@@ -78,9 +78,11 @@ def blended_once(request):
         return tuple(map(list, made[key]))
 
     with pytest.MonkeyPatch.context() as once:
-        for module in (request.module, "shapeblend_cli.job.make", "shapeblend_cli.api"):
-            name = module if isinstance(module, str) else module.__name__
-            once.setattr(f"{name}.match_all", match, raising=False)
+        once.setattr(
+            request.module, "match_all", match, raising=False
+        )  # some use it only through the package
+        for module in ("shapeblend_cli.job.make", "shapeblend_cli.api"):
+            once.setattr(f"{module}.match_all", match)
         yield
 
 

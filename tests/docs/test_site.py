@@ -107,7 +107,7 @@ def search(tmp_path_factory):
 def settled(page):
     """Return the hits when they have been the same for two seconds.
 
-    On a busy machine they come one after the other. All words are put in at once, when there are no hits any more: the
+    On a busy machine they come one after the other. All words are put in at once, when the old hits are gone: the
     search begins with the first letter, and would show those of half a word.
     """
     found = page.evaluate(FOUND)

@@ -58,7 +58,7 @@ def graded() -> None:
 
 def preferred() -> None:
     """Print what the preferences of graders say of the limit for signs."""
-    graders, preferred, told, bent, covered = _columns(
+    graders, shares, told, bent, covered = _columns(
         PREFERENCES, ["graders", "preferred", "told", "bent", "covered"]
     )
     terms = np.column_stack([np.ones(len(told)), told, bent, covered])
@@ -66,7 +66,7 @@ def preferred() -> None:
     for _ in range(ROUNDS):
         chance = 1.0 / (1.0 + np.exp(-terms @ weights))
         slopes = (terms * (graders * chance * (1.0 - chance))[:, None]).T @ terms
-        weights += np.linalg.solve(slopes, terms.T @ (graders * (preferred - chance)))
+        weights += np.linalg.solve(slopes, terms.T @ (graders * (shares - chance)))
     number = _told_of("signs", weights, SIGNS, told, bent, covered)
     print(
         f"half of the graders prefer the exchange from {-weights[0] / weights[1]:.2f} on, with the first weights"
@@ -76,7 +76,7 @@ def preferred() -> None:
     print("| --- | --- | --- | --- |")
     for limit in (SIGNS.least + step for step in STEPS):
         some = ((number >= limit) & (told >= SIGNS.told)) | others
-        means = (np.average(preferred[part], weights=graders[part]) for part in (some, ~some))
+        means = (np.average(shares[part], weights=graders[part]) for part in (some, ~some))
         print(f"| {limit:.2f} | {some.mean():.2f} | " + " | ".join(f"{mean:.2f}" for mean in means) + " |")
 
 

@@ -53,7 +53,7 @@ def with_parts_paced(
         early = early_shares(shapes, alone_in(shapes), are_changed=True)
     else:
         early = early_shares(shapes, alone_in_the_way(shapes, side), are_changed)
-    is_by_size = by_size and change > STIRS and (kept is None or _is_coloured(shapes))
+    is_by_size = by_size and change > STIRS and (kept is None or is_coloured(shapes))
     if is_by_size:
         small = most_shares(shapes) | shares_by_size(shapes, alone_in(shapes, DETAIL * side), side, change)
         # What others would run into comes when it is told, which may be soon.
@@ -76,7 +76,7 @@ def with_parts_paced(
     return shapes if kept is None else carried_by_lines(shapes)
 
 
-def _is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
+def is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
     """Return whether there are several colours."""
     paints = {
         paint.colour for shape in shapes for style in (shape.style_a, shape.style_b) for paint in style.paints

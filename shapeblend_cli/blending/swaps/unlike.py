@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.blending.graded import grade_of_shapes, seen_of, told_grade
+from shapeblend_cli.blending.parts.paced import is_coloured
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
 from shapeblend_cli.geometry import cubics
@@ -194,21 +195,17 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
         return False
     first, *_, last = seen_of(shapes, view).ink
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
-    told = told_grade(shapes, view)
+    told, bent = told_grade(shapes, view), _main_bending(shapes)
     limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
-    if not any(limit.is_reached(told, covered, WHOLLY) for limit in limits):
-        return False
-    bent = _main_bending(shapes)
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
 
 def _are_signs(shapes: Shapes) -> bool:
     """Return whether a blend has few contours, and a single colour."""
-    if sum(len(shape.contours) for shape in shapes) > FEW:
+    if sum(len(shape.contours) for shape in shapes) > FEW or is_coloured(shapes):
         return False
     styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
-    paints = {paint for style in styles for paint in (style.fill, style.stroke) if paint is not None}
-    return len(paints) == 1 and not any(style.fill_gradient or style.stroke_gradient for style in styles)
+    return not any(style.fill_gradient or style.stroke_gradient for style in styles)
 
 
 def _is_turned_copy(shape: ShapeBlend) -> bool:

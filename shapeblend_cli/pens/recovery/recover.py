@@ -183,12 +183,12 @@ def _corner_diameters(
 ) -> FloatArray:
     """Return the diameter of a ball that touches the outline at each sample and beyond the corner next to it."""
     found = []
-    for number, (segments, own) in enumerate(zip(contours, lengths, strict=True)):
+    spacings = np.split(samples.spacing, np.searchsorted(samples.contour, np.arange(1, len(contours))))
+    for segments, own, spacing in zip(contours, lengths, spacings, strict=True):
         used, counts, within = _steps(own)
         starts, ends = cubics.directions(segments[used])
         turn = np.angle(starts * rolled(ends, 1).conj())
         growth = np.where(turn > CORNER, 2.0 / np.tan(np.where(turn > CORNER, turn, 1.0) / 2.0), np.inf)
-        spacing = samples.spacing[samples.contour == number]
         at_start = growth.repeat(counts) * (spacing * (within + 0.5))
         at_end = rolled(growth, -1).repeat(counts) * (spacing * (counts.repeat(counts) - within - 0.5))
         found.append(np.minimum(at_start, at_end))

@@ -45,7 +45,7 @@ def two(a=TORTOISE, b=TURTLE, **settings):
 
 
 @cache
-def usual(a=TORTOISE, b=TURTLE):
+def usual(a, b):
     """The pair of two drawings where nothing in the package is changed, blended once."""
     return two(a, b)
 
@@ -80,7 +80,7 @@ def test_plates_of_a_shell_meet_before_it_becomes_another(backwards):
 
 
 def test_the_drawings_are_at_the_ends_and_close_to_them():
-    pair = usual()
+    pair = usual(TORTOISE, TURTLE)
     for t, path in ((0.0, TORTOISE), (1.0, TURTLE)):
         own = usual(path, path)
         assert np.abs(ink(pair, t) - ink(own, t)).sum() <= 0.08 * ink(own, t).sum()
@@ -107,7 +107,7 @@ def test_gaps_move_the_same_way_backwards():
 
 @pytest.mark.parametrize(("end", "t"), [(0.0, 1.0 / 3.0), (1.0, 2.0 / 3.0)])
 def test_gaps_are_no_cracks_until_shortly_before_they_close(end, t):
-    pair = usual()
+    pair = usual(TORTOISE, TURTLE)
     whole = silhouette(pair)
     gaps = [ink(whole, each).sum() - ink(pair, each).sum() for each in (end, t)]
     assert gaps[1] >= 0.4 * gaps[0]
@@ -123,7 +123,7 @@ def silhouette(pair):
 
 @pytest.mark.parametrize("t", [0.1, 0.25, 0.4, 0.6, 0.75, 0.9])
 def test_gaps_stay_in_the_silhouette(t):
-    pair = usual()
+    pair = usual(TORTOISE, TURTLE)
     beyond = (ink(pair, t) > 0.5) & (ink(silhouette(pair), t) < 0.5)
     assert beyond.mean() <= 0.004
 
@@ -139,7 +139,7 @@ def test_points_of_the_silhouette_stay_nearer_to_their_places_if_that_looks_bett
 
 
 def test_waypoints_are_few():
-    (shape,) = usual().shapes
+    (shape,) = usual(TORTOISE, TURTLE).shapes
     assert len(waypoints(shape)) < 40
 
 
@@ -154,7 +154,7 @@ def test_a_blend_that_looks_right_stays(monkeypatch):
 
 @pytest.mark.parametrize("width", WORSE)
 def test_silhouettes_have_to_look_far_better(width, monkeypatch):
-    assert closes(usual())
+    assert closes(usual(TORTOISE, TURTLE))
     monkeypatch.setattr(blend, "WIDTHS", (width,))
     assert not closes(two())
 
