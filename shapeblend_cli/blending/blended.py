@@ -21,8 +21,16 @@ from shapeblend_cli.blending.rematched import with_other_matches, with_points_ne
 from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
+from shapeblend_cli.blending.swaps.reshaped import reshaped
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
-from shapeblend_cli.blending.swaps.unlike import ALL, are_too_unlike, in_full_width, is_hopeless
+from shapeblend_cli.blending.swaps.unlike import (
+    ALL,
+    are_too_unlike,
+    in_full_width,
+    ink_of,
+    is_flawed,
+    is_hopeless,
+)
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.blending.uncrossed import with_crossings_undone
 from shapeblend_cli.frames.fades import in_paint_order
@@ -128,7 +136,22 @@ def blend_shapes(
         shapes = with_details_faded(shapes, view.larger_side)
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
     may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
-    return swapped(a, b, settings, view) if may_swap and is_hopeless(shapes, view) else shapes
+    return _exchanged(a, b, settings, view, progress, shapes) if may_swap else shapes
+
+
+def _exchanged(
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, shapes: Shapes
+) -> Shapes:
+    """Return a blend, or if it looks bad one in which the drawings take each other's place."""
+    hopeless = is_hopeless(shapes, view)
+    if not (hopeless or is_flawed(shapes, view)):
+        return shapes
+
+    def blend(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
+        return _blended(pair_drawings(a, b, settings, 0.0, progress, wanted=[(0, 0)]), view)
+
+    found = reshaped(a, b, ink_of(shapes, view), view, blend)
+    return found or (swapped(a, b, settings, view) if hopeless else shapes)
 
 
 def _as_silhouettes(

@@ -167,19 +167,30 @@ def mean_value_weights(point: complex, vertices: ComplexArray) -> FloatArray:
     ----------
     M. S. Floater, "Mean value coordinates", Computer Aided Geometric Design 20 (2003), eq (2.1).
     """
-    spokes = vertices - point
+    return mean_value_table(np.array([point]), vertices)[0]
+
+
+def weighted_sums(weights: FloatArray, values: ComplexArray) -> ComplexArray:
+    """Return sums of (k,) complex values by (p, k) weights, (p,) complex."""
+    both = weights @ np.ascontiguousarray(values).view(np.float64).reshape(-1, 2)
+    return np.ascontiguousarray(both).view(np.complex128).ravel()
+
+
+def mean_value_table(points: ComplexArray, vertices: ComplexArray) -> FloatArray:
+    """Return the mean value coordinates of several points, (p, k) float; see `mean_value_weights`."""
+    spokes = vertices - points[:, None]
     lengths = np.abs(spokes)
-    following, beyond = rolled(spokes, -1), rolled(lengths, -1)
+    following, beyond = np.roll(spokes, -1, axis=1), np.roll(lengths, -1, axis=1)
     turned = spokes.conj() * following
     # tan(alpha / 2) of the angle between neighbouring spokes.
     below = lengths * beyond + turned.real
-    weights = np.zeros(len(vertices))
-    if lengths.min() > 0.0 and (below > 1e-12 * lengths * beyond).all():
-        tangents = turned.imag / below
-        weights = (rolled(tangents, 1) + tangents) / lengths
-    total = weights.sum()
-    if abs(total) > 1e-12 * np.abs(weights).sum():
-        return weights / total
-    weights[:] = 0.0
-    weights[lengths.argmin()] = 1.0
+    is_off = (lengths.min(axis=1) > 0.0) & (below > 1e-12 * lengths * beyond).all(axis=1)
+    weights = np.zeros(spokes.shape)
+    tangents = turned.imag[is_off] / below[is_off]
+    weights[is_off] = (np.roll(tangents, 1, axis=1) + tangents) / lengths[is_off]
+    totals = weights.sum(axis=1)
+    is_sound = np.abs(totals) > 1e-12 * np.abs(weights).sum(axis=1)
+    weights[is_sound] /= totals[is_sound, None]
+    weights[~is_sound] = 0.0
+    weights[~is_sound, lengths[~is_sound].argmin(axis=1)] = 1.0
     return weights

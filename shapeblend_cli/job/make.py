@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
-from shapeblend_cli.blending.swaps.swapped import is_swapped
+from shapeblend_cli.blending.swaps.swapped import is_reshaped, is_swapped
 from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.job.job import Job
 from shapeblend_cli.job.targets import check_files_of, check_libraries, named, write
@@ -242,9 +242,12 @@ def _say_if_swapped(job: Job, run: Run, note: Callable[[str], None]) -> None:
         return
     for pair in run.pairs:
         if is_swapped(pair.shapes):
-            note(
-                f"{_files(job, pair)}: too little in common for a blend, so one shrinks and the other grows; see --swap"
+            how = (
+                "one takes the other's place in its shape"
+                if is_reshaped(pair.shapes)
+                else "one shrinks and the other grows"
             )
+            note(f"{_files(job, pair)}: too little in common for a blend, so {how}; see --swap")
 
 
 def _say_if_poor(job: Job, run: Run, note: Callable[[str], None], *, is_read: bool) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.blending.silhouettes.softening import SOFT, softened, softness
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.polygons import weighted_sums, winding_numbers
 from shapeblend_cli.geometry.polyline import needed
 from shapeblend_cli.interpolate.paths import segments_at
 
@@ -54,10 +54,10 @@ class Edge(NamedTuple):
     def at(self, shift: ComplexArray, t: float) -> ComplexArray:
         """Return the edge at time t, where the nodes are moved by a shift from their places in its drawing."""
         share = (1.0 - t if self.here else t) / self.until
-        there = self.middles + _moved(self.met, shift)
+        there = self.middles + weighted_sums(self.met, shift)
         if share >= 1.0:
             return np.full_like(there, there.mean())
-        own = self.points + _moved(self.weights, shift)
+        own = self.points + weighted_sums(self.weights, shift)
         return np.asarray(own + (1.0 + OVER) * share**LATE * (there - own))
 
 
@@ -93,12 +93,6 @@ def nodes(outlines: Sequence[ContourBlend]) -> tuple[ComplexArray, ComplexArray]
     matched = [contour for contour in outlines if contour.is_matched]
     first = np.concatenate([contour.start.segments[:, 0] for contour in matched])
     return first, np.concatenate([contour.end.segments[:, 0] for contour in matched])
-
-
-def _moved(weights: FloatArray, shift: ComplexArray) -> ComplexArray:
-    """Return weighted sums of shifts."""
-    both = weights @ np.ascontiguousarray(shift).view(np.float64).reshape(-1, 2)
-    return np.ascontiguousarray(both).view(np.complex128).ravel()
 
 
 def closing_times(a: float, b: float) -> tuple[float, float]:

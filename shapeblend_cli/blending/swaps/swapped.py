@@ -35,12 +35,18 @@ SAME_VIEW = 1e-6
 """Maximum distance of the sides of two views that are the same, as a share of the larger side."""
 
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
+RESHAPED = "one drawing takes the other's place half way, where both have one silhouette"
 ASKED = "one drawing takes the other's place, as asked"
 
 
 def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
     """Return whether a drawing takes the place of the other one."""
-    return bool(shapes) and all(shape.reason in (ASKED, SWAPPED) for shape in shapes)
+    return bool(shapes) and all(shape.reason in (ASKED, RESHAPED, SWAPPED) for shape in shapes)
+
+
+def is_reshaped(shapes: Sequence[ShapeBlend]) -> bool:
+    """Return whether it does so in the shape that both have by then."""
+    return bool(shapes) and all(shape.reason == RESHAPED for shape in shapes)
 
 
 def swapped(

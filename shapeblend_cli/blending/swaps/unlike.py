@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, PictureArray, ShapeBlend
     from shapeblend_cli.pens.line import PenDrawing, PenLine
 
     Shapes = tuple[ShapeBlend, ...]
@@ -86,6 +86,10 @@ OWN = 1.5
 
 WHOLLY = 1.5
 """Maximum spread of turns that makes a difference to other drawings than lines, in radians."""
+
+
+FLAWED = 1.5
+"""Minimum grade that trees tell of a blend of drawings of several colours that is likely to be sent back."""
 
 
 class Hopeless(NamedTuple):
@@ -180,24 +184,42 @@ def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[Pen
     return grade >= least or grade + PER_LOOSE_END * loose_ends(shapes) >= least
 
 
+def is_flawed(shapes: Shapes, view: Box) -> bool:
+    """Return whether a blend of drawings of several colours is likely to be sent back: trees tell these apart best."""
+    return is_coloured(shapes) and _is_faulty(shapes, view) and told_grade(shapes, view) >= FLAWED
+
+
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings that are not lines alone is worse than that they take each other's place.
 
-    That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common. A
-    single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a plate
-    in which lines become each other.
+    That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common.
+    """
+    if not _is_faulty(shapes, view):
+        return False
+    first, last = ink_of(shapes, view)
+    covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
+    told, bent = told_grade(shapes, view), _main_bending(shapes)
+    limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
+    return any(limit.is_reached(told, covered, bent) for limit in limits)
+
+
+def _is_faulty(shapes: Shapes, view: Box) -> bool:
+    """Return whether a blend has faults, and may make room for another way.
+
+    A single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a
+    plate in which lines become each other.
     """
     if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
         return False
     if any(map(_is_inlaid, shapes)) or all(map(_is_turned_copy, shapes)):
         return False
-    if grade_of_shapes(shapes, view) < FAULTY:
-        return False
+    return grade_of_shapes(shapes, view) >= FAULTY
+
+
+def ink_of(shapes: Shapes, view: Box) -> tuple[PictureArray, PictureArray]:
+    """Return what is painted of both drawings, as opacities in square pictures of a view."""
     first, *_, last = seen_of(shapes, view).ink
-    covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
-    told, bent = told_grade(shapes, view), _main_bending(shapes)
-    limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
-    return any(limit.is_reached(told, covered, bent) for limit in limits)
+    return first, last
 
 
 def _are_signs(shapes: Shapes) -> bool:
