@@ -150,7 +150,7 @@ def _exchanged(
     def blend(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
         return _blended(pair_drawings(a, b, settings, 0.0, progress, wanted=[(0, 0)]), view)
 
-    found = reshaped(a, b, ink_of(shapes, view), view, blend)
+    found = reshaped(a, b, ink_of(shapes, view), view, blend, curves=settings.curves)
     return found or (swapped(a, b, settings, view) if hopeless else shapes)
 
 

@@ -226,7 +226,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=IN_BETWEENS,
         help="Let the first drawing shrink away, and the second one grow in its place, instead of a blend. auto: icons "
         "drawn with a pen whose lines have too little in common, such as a gear and a cross, and other drawings whose "
-        "blend would be unreadable; where silhouettes are alike, they change places half way. With --match, --pin or "
+        "blend would be unreadable; where silhouettes are alike, they change over half way. With --match, --pin or "
         "--stiff, in mixtures, and if shapes have times of their own, drawings are always blended.",
     )
     viewbox: str = option(

@@ -11,14 +11,16 @@ from hypothesis.extra.numpy import arrays
 import shapeblend_cli as sb
 from shapeblend_cli.blending.blended import _exchanged
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
-from shapeblend_cli.blending.swaps import silhouette as silhouettes
-from shapeblend_cli.blending.swaps.reshaped import BENT, COMES, FARTHEST, GOES, MOVING, are_alike
-from shapeblend_cli.blending.swaps.silhouette import HOLES, LOOSE, outlines, silhouette
+from shapeblend_cli.blending.swaps import traced, unlike
+from shapeblend_cli.blending.swaps.reshaped import APPEARS, FARTHEST, MOST_TURNED, MOVING, VANISHES, are_alike
 from shapeblend_cli.blending.swaps.swapped import is_reshaped, is_swapped
+from shapeblend_cli.blending.swaps.traced import HOLES, LOOSE, outlines, silhouette
+from shapeblend_cli.blending.swaps.unlike import FLAWED, is_flawed
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import shapes_at
-from shapeblend_cli.geometry.polygons import mean_value_table, mean_value_weights, signed_area
+from shapeblend_cli.geometry.polygons import mean_value_table, signed_area
 from shapeblend_cli.model import control_box
+from shapeblend_cli.options.settings import Settings
 
 DRAWINGS = Path("docs/moving/drawings")
 FIST, PALM = DRAWINGS / "raised-fist.svg", DRAWINGS / "raised-hand.svg"
@@ -35,6 +37,7 @@ def test_outlines_enclose_the_pixels_that_are_set(mask):
     loops = outlines(np.pad(mask, 1))
     assert sum(map(signed_area, loops)) == pytest.approx(mask.sum())
     assert all((np.abs(np.roll(loop, -1) - loop) == 1.0).all() for loop in loops)
+    assert all(len(set(loop.tolist())) == len(loop) for loop in loops if signed_area(loop) > 0.0)
 
 
 def test_the_silhouette_of_a_disc_is_a_circle_from_x_towards_y():
@@ -71,7 +74,7 @@ def test_a_silhouette_is_nearly_all_that_is_painted(picture, is_one):
 
 
 def test_vertices_divide_the_points_that_are_smoothed():
-    assert silhouettes.EVEN % silhouettes.VERTICES == 0
+    assert traced.EVEN % traced.VERTICES == 0
 
 
 @pytest.mark.parametrize("share", [0.9, 1.1])
@@ -82,15 +85,20 @@ def test_outlines_that_are_far_apart_are_unlike(share):
 @pytest.mark.parametrize("share", [0.9, 1.1])
 def test_outlines_whose_edges_turn_are_unlike(share, monkeypatch):
     monkeypatch.setattr("shapeblend_cli.blending.swaps.reshaped.FARTHEST", 9.0)
-    assert are_alike(CIRCLE, CIRCLE * np.exp(1j * share * BENT)) == (share < 1.0)
+    assert are_alike(CIRCLE, CIRCLE * np.exp(1j * share * MOST_TURNED)) == (share < 1.0)
 
 
-@given(arrays(np.float64, (5, 2), elements=st.floats(-2, 2)))
-def test_mean_value_tables_have_the_weights_of_each_point(points):
-    points = points[:, 0] + 1j * points[:, 1]
+@pytest.mark.parametrize("scale", [0.7, 0.9, 1.2, 1.6])
+def test_likeness_is_mutual(scale):
+    assert are_alike(CIRCLE, scale * CIRCLE) == are_alike(scale * CIRCLE, CIRCLE)
+
+
+@given(arrays(np.float64, (5, 2), elements=st.floats(-0.7, 0.7)))
+def test_mean_value_tables_give_back_every_point_inside(points):
+    points = np.append(points[:, 0] + 1j * points[:, 1], CIRCLE[:2])
     table = mean_value_table(points, CIRCLE)
-    for point, weights in zip(points.tolist(), table, strict=True):
-        assert (weights == mean_value_weights(point, CIRCLE)).all()
+    np.testing.assert_allclose(table.sum(axis=1), 1.0)
+    np.testing.assert_allclose(table @ CIRCLE, points, atol=1e-9)
 
 
 @pytest.fixture(scope="module")
@@ -118,7 +126,7 @@ def visible(pair, t):
 def test_there_is_always_one(hands):
     for t in np.linspace(0.0, 1.0, 201):
         assert max(share for _, share in visible(hands, t)) == 1.0, t
-    assert COMES.until == GOES.begin
+    assert APPEARS.until == VANISHES.begin
 
 
 @pytest.mark.parametrize("end", [0, 1])
@@ -144,20 +152,42 @@ def test_what_is_clipped_shrinks_and_grows(tmp_path):
     clipped = tmp_path / "clipped.svg"
     clipped.write_text(text.replace("</svg>", f"{clip}</svg>"))
     (pair,) = sb.blend(clipped, PALM).pairs
+    assert is_swapped(pair.shapes)
     assert not is_reshaped(pair.shapes)
+
+
+@pytest.mark.parametrize(("told", "is_bad"), [(FLAWED - 0.01, False), (FLAWED, True)])
+def test_several_colours_are_flawed_from_a_grade_on(monkeypatch, told, is_bad):
+    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: told)
+    (pair,) = sb.blend(FIST, PALM, swap="never").pairs
+    assert is_flawed(pair.shapes, pair.views[0]) == is_bad
+    one = [
+        shape._replace(style_a=pair.shapes[0].style_a, style_b=pair.shapes[0].style_a)
+        for shape in pair.shapes
+    ]
+    assert not is_flawed(tuple(one), pair.views[0]), "trees tell blends of one colour apart less well"
+
+
+def test_polygons_stay_polygons():
+    (pair,) = sb.blend(FIST, PALM, curves=False).pairs
+    assert is_reshaped(pair.shapes)
+    (first, *_), (end, *_) = pair.shapes[0].contours, [c.start for c in pair.shapes[0].contours]
+    assert len(end.segments) == len(first.polygon_a.vertices)
 
 
 def test_a_flawed_blend_is_left_if_the_silhouettes_are_unlike(monkeypatch, hands):
     for name, answer in (("is_hopeless", False), ("is_flawed", True), ("reshaped", None)):
-        monkeypatch.setattr(f"shapeblend_cli.blending.blended.{name}", lambda *_, answer=answer: answer)
+        monkeypatch.setattr(f"shapeblend_cli.blending.blended.{name}", lambda *_, answer=answer, **__: answer)
     monkeypatch.setattr("shapeblend_cli.blending.blended.ink_of", lambda *_: ())
     shapes = hands.shapes
-    assert _exchanged(None, None, None, None, None, shapes) is shapes
+    assert _exchanged(None, None, Settings(), None, None, shapes) is shapes
 
 
 def test_a_note_says_so(tmp_path, capsys):
     assert run([str(FIST), str(PALM), "-o", str(tmp_path / "out.svg")]) == 0
-    assert "takes the other's place in its shape; see --swap" in " ".join(capsys.readouterr().err.split())
+    assert "change over half way, where their silhouettes meet; see --swap" in " ".join(
+        capsys.readouterr().err.split()
+    )
 
 
 @pytest.mark.parametrize("suffix", ["svg", "json", "js", "xml"])

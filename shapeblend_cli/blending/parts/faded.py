@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.polygons import mean_value_weights, winding_numbers
+from shapeblend_cli.geometry.polygons import mean_value_table, weighted_sums, winding_numbers
 from shapeblend_cli.model import WHOLE, Box, Correspondence, Fade
 from shapeblend_cli.motion.choose import FADES
 from shapeblend_cli.motion.early import STIRS, Early, change_of
@@ -198,8 +198,7 @@ def _bent(contour: ContourBlend, end: int, here: ComplexArray, there: ComplexArr
     """Return a contour that is whole in a drawing, 0 or 1, and in the other one as an outline around it bends it."""
 
     def image(points: ComplexArray) -> ComplexArray:
-        flat = [mean_value_weights(point, here) @ there for point in points.ravel().tolist()]
-        return np.array(flat).reshape(points.shape)
+        return weighted_sums(mean_value_table(points.ravel(), here), there).reshape(points.shape)
 
     path = _path(contour, end)
     own, polygon = (contour.contour_b, contour.polygon_b) if end else (contour.contour_a, contour.polygon_a)

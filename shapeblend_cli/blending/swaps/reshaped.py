@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing, decompose
-from shapeblend_cli.blending.swaps.silhouette import silhouette
 from shapeblend_cli.blending.swaps.swapped import RESHAPED
+from shapeblend_cli.blending.swaps.traced import silhouette
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.polygons import mean_value_table, weighted_sums
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import segments_at, with_curves
-from shapeblend_cli.model import Contour, Drawing, Fade, ShapeBlend
+from shapeblend_cli.model import Contour, Drawing, Fade, ShapeBlend, Style
 from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.wires.contour_blends import follow
 
@@ -33,15 +33,15 @@ if TYPE_CHECKING:
     Shapes = tuple[ShapeBlend, ...]
 
 FARTHEST = 0.42
-"""Maximum distance of the points of both silhouettes from each other, as a share of their distance from the middle."""
+"""Maximum distance of the points of both silhouettes from each other, as a share of that from their own middles."""
 
-BENT = 0.5
+MOST_TURNED = 0.5
 """Maximum mean angle by which the edges of the silhouettes turn, in radians."""
 
-COMES = Fade(0.45, 0.47, comes=True)
+APPEARS = Fade(0.45, 0.47, comes=True)
 """Shares of the way between which B comes, on top of A."""
 
-GOES = Fade(0.47, 0.48, comes=False)
+VANISHES = Fade(0.47, 0.48, comes=False)
 """Shares of the way between which A goes, covered by B."""
 
 MOVING = (0.0, 0.49), (0.45, 1.0)
@@ -52,12 +52,13 @@ KNOTS = 5
 
 
 class Bent(NamedTuple):
-    """The motion of contours of a drawing that are bent with its silhouette: eq (2) with mean value coordinates.
+    """The motion of contours of a drawing that are bent with its silhouette.
 
-    Each control point is shifted as far as the mean of the silhouette's nodes, by its weights of these.
+    Each control point is shifted as far as the mean of the silhouette's nodes, by its mean value coordinates there.
     """
 
     outline: ShapeBlend  # the silhouette
+    own: ComplexArray  # its nodes in the drawing, (n,)
     weights: tuple[FloatArray, ...]  # of its nodes, for each contour: (4 k, n)
     here: int  # 0 for the first drawing, 1 for the second
 
@@ -68,7 +69,7 @@ class Bent(NamedTuple):
 
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
-        shift = nodes(self.outline, t) - nodes(self.outline, float(self.here))
+        shift = nodes(self.outline, t) - self.own
         own = [(contour.end if self.here else contour.start).segments for contour in contours]
         return [
             segments + weighted_sums(weights, shift).reshape(segments.shape)
@@ -82,6 +83,8 @@ def reshaped(
     ink: tuple[PictureArray, PictureArray],
     view: Box,
     blend: Callable[[PlacedDrawing, PlacedDrawing], Shapes],
+    *,
+    curves: bool,
 ) -> Shapes | None:
     """Return shapes of A that are bent until half way, below shapes of B that are bent from there on.
 
@@ -95,6 +98,8 @@ def reshaped(
     view : Box
     blend : callable
         Blends the silhouettes, which are drawings of a single contour.
+    curves : bool
+        Whether shapes have the drawings' own curves.
     """
     sides = a, b
     if any(
@@ -116,7 +121,9 @@ def reshaped(
     if not are_alike(*ends):
         return None
     return tuple(
-        shape for here, side in enumerate(sides) for shape in _bent(side.contours, outlines[0], ends, here)
+        shape
+        for here, side in enumerate(sides)
+        for shape in _bent(side.contours, outlines[0], ends, here, curves=curves)
     )
 
 
@@ -129,12 +136,12 @@ def are_alike(a: ComplexArray, b: ComplexArray) -> bool:
         Along closed outlines.
     """
     edges = rolled(a, -1) - a, rolled(b, -1) - b
-    lengths = [np.abs(each) / np.abs(each).sum() for each in edges]
-    weights = 0.5 * (lengths[0] + rolled(lengths[0], 1))
-    middle = (weights * a).sum()
-    apart, wide = ((weights * np.abs(each) ** 2).sum() for each in (b - a, a - middle))
+    shares = 0.5 * sum(np.abs(each) / np.abs(each).sum() for each in edges)
+    weights = 0.5 * (shares + rolled(shares, 1))
+    apart = (weights * np.abs(b - a) ** 2).sum()
+    spread = sum((weights * np.abs(line - (weights * line).sum()) ** 2).sum() for line in (a, b))
     turns = np.abs(np.angle(edges[1] * edges[0].conj()))
-    return bool(apart <= FARTHEST**2 * wide and (0.5 * (lengths[0] + lengths[1]) * turns).sum() <= BENT)
+    return bool(apart <= FARTHEST**2 * 0.5 * spread and (shares * turns).sum() <= MOST_TURNED)
 
 
 def nodes(outline: ShapeBlend, t: float) -> ComplexArray:
@@ -147,8 +154,8 @@ def _as_drawing(side: PlacedDrawing, line: ComplexArray) -> PlacedDrawing:
     """Return a drawing of a single polygon, of which nothing else is known, in place of a drawing."""
     outline = Contour(cubics.lines(line, closed=True), np.ones(len(line), np.bool_), closed=True)
     first = side.drawing.shapes[0]
-    shape = replace(first, index=0, contours=(outline,), style=type(first.style)(), groups=())
-    drawing = Drawing(side.drawing.file, side.drawing.viewbox, (shape,))
+    shape = replace(first, index=0, contours=(outline,), style=Style(), groups=())
+    drawing = Drawing(side.drawing.file, None, (shape,))
     return PlacedDrawing(drawing, Similarity(), decompose(drawing, Similarity(), len(line), 1)[0])
 
 
@@ -157,13 +164,17 @@ def _bent(
     outline: ShapeBlend,
     ends: tuple[ComplexArray, ComplexArray],
     here: int,
+    *,
+    curves: bool,
 ) -> Iterator[ShapeBlend]:
     """Yield the shapes of a drawing, 0 or 1, which are bent with a silhouette."""
     own, shift = ends[here], ends[1 - here] - ends[here]
     for number, members in groupby(contours, key=lambda contour: contour.shape):
         of_shape = list(members)
         style = of_shape[0].style
-        blends = tuple(with_curves(_with_image(contour, own, shift, here)) for contour in of_shape)
+        blends = tuple(_with_image(contour, own, shift, here) for contour in of_shape)
+        if curves:
+            blends = tuple(map(with_curves, blends))
         weights = tuple(
             mean_value_table((each.end if here else each.start).segments.ravel(), own) for each in blends
         )
@@ -171,9 +182,9 @@ def _bent(
             blends,
             style,
             style,
-            motion=Bent(outline, weights, here),
+            motion=Bent(outline, own, weights, here),
             reason=RESHAPED,
-            fade=COMES if here else GOES,
+            fade=APPEARS if here else VANISHES,
             sources=(None, number) if here else (number, None),
             pace=_pace(here),
         )

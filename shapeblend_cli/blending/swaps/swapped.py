@@ -35,7 +35,7 @@ SAME_VIEW = 1e-6
 """Maximum distance of the sides of two views that are the same, as a share of the larger side."""
 
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
-RESHAPED = "one drawing takes the other's place half way, where both have one silhouette"
+RESHAPED = "the drawings change over half way, where their silhouettes meet"
 ASKED = "one drawing takes the other's place, as asked"
 
 
@@ -45,7 +45,7 @@ def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
 
 
 def is_reshaped(shapes: Sequence[ShapeBlend]) -> bool:
-    """Return whether it does so in the shape that both have by then."""
+    """Return whether the drawings change over half way, where their silhouettes meet."""
     return bool(shapes) and all(shape.reason == RESHAPED for shape in shapes)
 
 

@@ -88,7 +88,7 @@ WHOLLY = 1.5
 """Maximum spread of turns that makes a difference to other drawings than lines, in radians."""
 
 
-FLAWED = 1.5
+FLAWED = 1.6
 """Minimum grade that trees tell of a blend of drawings of several colours that is likely to be sent back."""
 
 
@@ -204,7 +204,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
 
 
 def _is_faulty(shapes: Shapes, view: Box) -> bool:
-    """Return whether a blend has faults, and may make room for another way.
+    """Return whether a blend has faults, and may be replaced.
 
     A single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a
     plate in which lines become each other.

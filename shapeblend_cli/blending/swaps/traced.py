@@ -21,7 +21,7 @@ LOOSE = 0.2
 """Maximum area of what lies apart from the silhouette, as a share of its own."""
 
 HOLES = 0.15
-"""Maximum area of the holes in it, in the same measure: a ring is more than its outline."""
+"""Maximum area of the holes in it, as a share of its own: a ring is more than its outline."""
 
 EVEN = 256
 """Number of points, evenly along an outline, that are smoothed."""
@@ -44,7 +44,7 @@ def silhouette(ink: PictureArray) -> ComplexArray | None:
     Returns
     -------
     (VERTICES,) complex or None
-        Evenly along the outline, which runs from x towards y. The first pixel has its corners at 0 and 1 + 1j.
+        About evenly along the outline, which runs from x towards y. The first pixel has its corners at 0 and 1 + 1j.
     """
     loops = outlines(~_grown(~_grown(np.pad(ink > 0.5, MARGIN))))
     areas = [signed_area(loop) for loop in loops]
@@ -73,7 +73,7 @@ def outlines(mask: BoolArray) -> list[ComplexArray]:
     """
     after: dict[complex, list[complex]] = {}
     for axis, (first, last) in ((0, (0, 1)), (1, (1j, 0))):
-        # Where a row, or a column, begins and ends to be set; edges run with the pixels on one and the same side.
+        # Where set pixels begin and end in a column, or in a row; edges run with these on one and the same side.
         change = np.diff(mask.astype(np.int8), axis=axis)
         for sign, (start, end) in ((1, (first, last)), (-1, (last, first))):
             rows, columns = np.nonzero(change == sign)
@@ -82,15 +82,17 @@ def outlines(mask: BoolArray) -> list[ComplexArray]:
                 after.setdefault(corner + start, []).append(corner + end)
     loops = []
     while after:
-        place = next(iter(after))
-        loop = []
+        # Two ways lead on from where pixels touch at a corner only. There an outline turns towards its own pixels.
+        place = next(corner for corner, ends in after.items() if len(ends) == 1)
+        loop, step = [], 0j
         while place in after:
             loop.append(place)
             ends = after[place]
-            following = ends.pop()
+            end = max(ends, key=lambda end: ((end - place) * step.conjugate()).imag)
+            ends.remove(end)
             if not ends:
                 del after[place]
-            place = following
+            place, step = end, end - place
         loops.append(np.array(loop))
     return loops
 
