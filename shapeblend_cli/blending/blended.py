@@ -21,7 +21,6 @@ from shapeblend_cli.blending.rematched import with_other_matches, with_points_ne
 from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
-from shapeblend_cli.blending.swaps.reshaped import reshaped
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
@@ -146,6 +145,7 @@ def _exchanged(
     hopeless = is_hopeless(shapes, view)
     if not (hopeless or is_flawed(shapes, view)):
         return shapes
+    from shapeblend_cli.blending.swaps.reshaped import reshaped  # few blends come so far
 
     def blend(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
         return _blended(pair_drawings(a, b, settings, 0.0, progress, wanted=[(0, 0)]), view)

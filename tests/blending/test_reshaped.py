@@ -176,8 +176,12 @@ def test_polygons_stay_polygons():
 
 
 def test_a_flawed_blend_is_left_if_the_silhouettes_are_unlike(monkeypatch, hands):
-    for name, answer in (("is_hopeless", False), ("is_flawed", True), ("reshaped", None)):
-        monkeypatch.setattr(f"shapeblend_cli.blending.blended.{name}", lambda *_, answer=answer, **__: answer)
+    for name, answer in (
+        ("blended.is_hopeless", False),
+        ("blended.is_flawed", True),
+        ("swaps.reshaped.reshaped", None),
+    ):
+        monkeypatch.setattr(f"shapeblend_cli.blending.{name}", lambda *_, answer=answer, **__: answer)
     monkeypatch.setattr("shapeblend_cli.blending.blended.ink_of", lambda *_: ())
     shapes = hands.shapes
     assert _exchanged(None, None, Settings(), None, None, shapes) is shapes

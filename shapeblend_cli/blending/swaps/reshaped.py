@@ -146,7 +146,7 @@ def are_alike(a: ComplexArray, b: ComplexArray) -> bool:
 
 def nodes(outline: ShapeBlend, t: float) -> ComplexArray:
     """Return the nodes of a silhouette at time t, (n,) complex."""
-    points: ComplexArray = segments_at(outline._replace(pace=(), span=(0.0, 1.0)), t)[0][:, 0]
+    points: ComplexArray = segments_at(outline, t)[0][:, 0]
     return points
 
 

@@ -57,9 +57,7 @@ def silhouette(ink: PictureArray) -> ComplexArray | None:
     corners = loops[areas.index(whole)] - MARGIN * (1.0 + 1.0j)
     at = np.arange(EVEN) * (len(corners) / EVEN)
     line = np.append(corners, corners[0])
-    even = np.interp(at, np.arange(len(line)), line.real) + 1j * np.interp(
-        at, np.arange(len(line)), line.imag
-    )
+    even = np.interp(at, np.arange(len(line)), line)
     deviation = 2.0 * np.pi * SMOOTH / len(corners)
     waves = np.fft.fft(even) * np.exp(-0.5 * (deviation * np.fft.fftfreq(EVEN, 1.0 / EVEN)) ** 2)
     smoothed: ComplexArray = np.fft.ifft(waves)[:: EVEN // VERTICES]
