@@ -11,7 +11,6 @@ from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
-from shapeblend_cli.blending.parts.faded import with_details_faded
 from shapeblend_cli.blending.parts.paced import with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
@@ -132,6 +131,8 @@ def blend_shapes(
     if all(map(is_plain, outlined)):
         shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
     else:
+        from shapeblend_cli.blending.parts.faded import with_details_faded
+
         shapes = with_details_faded(shapes, view.larger_side)
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
     may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))

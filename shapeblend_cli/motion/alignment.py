@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.grouping import grouped, overlaps
 from shapeblend_cli.model import control_box
 from shapeblend_cli.model.arrays import rolled
 
@@ -243,6 +242,8 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
 
 def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
     """Return groups of shapes with partners, by number, whose boxes overlap at both ends."""
+    from shapeblend_cli.geometry.grouping import grouped, overlaps
+
     matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
     if not matched:
         return []

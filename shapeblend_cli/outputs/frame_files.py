@@ -5,9 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.errors import OptionError
-from shapeblend_cli.outputs.composed import draw_all
 from shapeblend_cli.outputs.formats import OutputSpec, Rendered, frame_svgs, page_of
-from shapeblend_cli.outputs.pixels import size_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,6 +24,9 @@ def render_svg(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 def render_png(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return a picture of each frame."""
+    from shapeblend_cli.outputs.composed import draw_all
+    from shapeblend_cli.outputs.pixels import size_of
+
     size = size_of(spec.width, pairs, spec.frame_count)
     return Rendered([*draw_all(spec.counted(frame_svgs(spec, pairs)), size, spec.ground)])
 

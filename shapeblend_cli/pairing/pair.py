@@ -8,10 +8,7 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, LINE, PlacedContour
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.pairing.assignment import Pairing
 from shapeblend_cli.pairing.costs import USUAL, Rates
-from shapeblend_cli.pairing.opening import open_rings
-from shapeblend_cli.pairing.split import pairs_by_rows, split_exteriors
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -58,6 +55,9 @@ def pair_contours(
     fixed = _required_partners(a, b, required)
     if len(a) == len(b) == 1 and frames is None:
         return [(a[0], b[0])]
+    from shapeblend_cli.pairing.assignment import Pairing
+    from shapeblend_cli.pairing.split import pairs_by_rows
+
     is_free = settings.unmatched == "auto" and not fixed and frames is None
     pairs = pairs_by_rows(a, b, settings.vertices) if is_free else []
     if pairs:
@@ -141,6 +141,9 @@ def _with_pieces(
     settings: Settings,
 ) -> list[ContourPair]:
     """Split exteriors for those without a partner, open rings, and pair the holes of pieces anew."""
+    from shapeblend_cli.pairing.opening import open_rings
+    from shapeblend_cli.pairing.split import split_exteriors
+
     outer = [pair for pair in pairs if pair[0].role != HOLE]
     split = split_exteriors(a, b, outer, settings, fixed)
     split = open_rings(a, b, split, settings, required)
@@ -164,6 +167,8 @@ def _with_holes(
     fixed: dict[int, int],
 ) -> list[ContourPair]:
     """Return pairs of pieces, and the pairs of the holes in them."""
+    from shapeblend_cli.pairing.assignment import Pairing
+
     found = []
     for p, q in cut:
         inner_a, inner_b = (

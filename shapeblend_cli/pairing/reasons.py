@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.pairing.assignment import Pairing
-
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour
     from shapeblend_cli.model import ContourBlend
+    from shapeblend_cli.pairing.assignment import Pairing
 
     Numbers = tuple[int, int]
 
@@ -59,6 +58,8 @@ def reasons_for(
     """
     if len(a) == len(b) == 1:
         return Reasons({(a[0].number, b[0].number): "the only ones"}, ({}, {}), riders)
+    from shapeblend_cli.pairing.assignment import Pairing
+
     whole = {p.number: q.number for p, q in pairs if not (p.is_piece or q.is_piece)}
     pairing = Pairing(a, b, whole)
     found = {

@@ -8,7 +8,6 @@ import numpy as np
 
 from shapeblend_cli.errors import MatchError
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.assignment import NEVER
 from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.constraints import Constraints, has_numbers
@@ -100,6 +99,8 @@ def _pairs_of_letters(
 
     The place of a letter is that among all letters of its drawing, from 0 to 1. Squares of distances keep the order.
     """
+    from shapeblend_cli.pairing.assignment import NEVER
+
     ours = _letters(a, {i for i, _ in required})
     theirs = _letters(b, {j for _, j in required})
     pairs: list[Numbers] = []

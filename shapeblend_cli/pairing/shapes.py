@@ -7,28 +7,20 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.anatomy.structure import along
-from shapeblend_cli.anatomy.twins import Mirror, anatomy_of
 from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.model import Box, ContourBlend, Fade, Root, ShapeBlend, Style
 from shapeblend_cli.pairing.changes import Change, unchanged
-from shapeblend_cli.pairing.growth import (
-    WATCHED,
-    MatchedPoints,
-    carried,
-    growth_point_inside,
-    nearest_paired,
-)
+from shapeblend_cli.pairing.growth import WATCHED, MatchedPoints, carried, growth_point_inside, nearest_paired
 from shapeblend_cli.pairing.paint_order import Overlaps, paint_places
 from shapeblend_cli.pairing.riders import Ride, ride, riders
-from shapeblend_cli.pairing.split import AT_EDGE, hole_in_piece
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair
+    from shapeblend_cli.anatomy.twins import Mirror
     from shapeblend_cli.model import ComplexArray, Motion, Place
 
 T = TypeVar("T")
@@ -261,6 +253,8 @@ def _parts_of_hole(
     ]
     if len(pieces) < 2:
         return []
+    from shapeblend_cli.pairing.split import hole_in_piece
+
     owner = next(contour for contour in contours if contour.number == hole.exterior)
     found = []
     for match in pieces:
@@ -280,6 +274,8 @@ def _place_on_edge(part: PlacedContour, middle: complex, line: ComplexArray) -> 
     It is the one nearest to the middle of the hole that is not near an end of the edge, where corners are round. Of two
     edges that are about equally long it is where they meet.
     """
+    from shapeblend_cli.pairing.split import AT_EDGE
+
     edges = part.contour.segments[part.contour.straight][:, [0, 3]]
     edges = edges[nearest_places(edges.mean(axis=1), line)[0] < AT_EDGE * part.size]
     if not len(edges):
@@ -329,6 +325,8 @@ def _mirrored(
 
 def _mirror_of_paired(side: Sequence[PlacedContour], paired: set[int]) -> Mirror | None:
     """Return the axis of a drawing if all paired contours, by their numbers, have a mirror image; else None."""
+    from shapeblend_cli.anatomy.twins import anatomy_of
+
     mirror = anatomy_of(side)[1]
     if mirror is None or any(
         contour.number in paired and twin is None for contour, twin in zip(side, mirror.twin, strict=True)
@@ -398,6 +396,8 @@ def _points_of_contact(
     and so on. A closed one beside a paired one of its paint grows out of that, as a plume on a helmet. All others grow
     from their middle.
     """
+    from shapeblend_cli.anatomy.structure import along
+
     outer = [match for match in matches if match.pair[here].role != HOLE]
     sides = [match.pair[here] for match in outer]
     samples = [along(contour.polygon, CONTACTS) for contour in beside]

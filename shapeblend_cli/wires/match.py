@@ -14,7 +14,6 @@ from shapeblend_cli.wires.common_cuts import solve_with_common_cuts
 from shapeblend_cli.wires.contour_blends import blend_along
 from shapeblend_cli.wires.contour_match import ContourMatch, Solved, rotated_back
 from shapeblend_cli.wires.direction import choose_direction, wires_of
-from shapeblend_cli.wires.rough import rough_work
 from shapeblend_cli.wires.same_segments import solve_with_same_segments
 from shapeblend_cli.wires.shared import solve_with_shared
 from shapeblend_cli.wires.symmetry import solve_with_symmetry
@@ -79,6 +78,8 @@ def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
 
 def _open_for(line: PlacedContour, exterior: PlacedContour, settings: Settings) -> PlacedContour:
     """Open a closed contour at the node from which it becomes a line, or comes of it, with the least work."""
+    from shapeblend_cli.wires.rough import rough_work
+
     nodes = np.flatnonzero(exterior.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
     p, unit = to_unit_box(line.polygon), to_unit_box(exterior.polygon)
