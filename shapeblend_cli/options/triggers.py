@@ -21,7 +21,7 @@ OPPOSITES = {
 }
 """Events that start an animation, and the events that take it back."""
 
-_EVENT = re.compile(r"([^\s.;,'\"<>&]+)\.([A-Za-z][A-Za-z0-9-]*)")
+_EVENT = r"([^\s.;,'\"<>&]+)\.([A-Za-z][A-Za-z0-9-]*)"
 
 
 class Trigger(NamedTuple):
@@ -50,7 +50,7 @@ def parse(text: str) -> Trigger:
     """Read ``load``, ``click``, ``hover`` or ``NAME.event``; raise ValueError for anything else."""
     if text in (LOAD, CLICK, HOVER):
         return Trigger(text)
-    match = _EVENT.fullmatch(text)
+    match = re.fullmatch(_EVENT, text)
     if match is None:
         raise ValueError(text)
     return Trigger("event", match[1], match[2])

@@ -177,7 +177,7 @@ LIKE = dict.fromkeys((".jsx", ".tsx", ".ts", ".mjs", ".vue", ".svelte"), ".js") 
 }
 """Suffixes that are not written, and those of formats for the same purpose."""
 
-ENDING = re.compile(r"\.[a-z][a-z0-9]{0,5}$", re.IGNORECASE)
+ENDING = r"(?i)\.[a-z][a-z0-9]{0,5}$"
 """End of a name that is taken for the suffix of a file."""
 
 
@@ -232,5 +232,5 @@ def _suffix(path: str) -> str:
     known = [format.suffix for format in FORMATS if format.suffix and path.lower().endswith(format.suffix)]
     if known:
         return max(known, key=len)
-    found = ENDING.search(path)
+    found = re.search(ENDING, path)
     return found[0].lower() if found and not os.path.isdir(path) else ""

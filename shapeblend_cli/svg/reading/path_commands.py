@@ -32,7 +32,7 @@ MAX_SEGMENTS = 500_000
 _ARITY = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7}
 _COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*+)")
 # A flag is one digit and needs no gap after it: 'a1 1 0 01.5.5'.
-_ARC = re.compile(GAP + GAP.join([f"({NUMBER})"] * 3 + ["([01])"] * 2 + [f"({NUMBER})"] * 2))
+_ARC = GAP + GAP.join([f"({NUMBER})"] * 3 + ["([01])"] * 2 + [f"({NUMBER})"] * 2)
 # svgpathtools reads '1.e2' as two numbers.
 _POINT_EXPONENT = re.compile(r"\.(?=[eE])")
 # A smaller radius is zero in the single precision of browsers, and the arc a line.
@@ -152,7 +152,8 @@ def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], GrammarErro
     arcs: list[Arc | None] = []
     error = None
     end = 0
-    while arc := _ARC.match(arguments, end):
+    seven = re.compile(_ARC)
+    while arc := seven.match(arguments, end):
         if not end and "," in arc[0][: arc.start(1)]:
             break
         rx, ry, rotation, x, y = (float(arc[k]) for k in (1, 2, 3, 6, 7))

@@ -90,9 +90,7 @@ _NAMED_SIZES = {
     "xxx-large": 48.0,
 }
 _WORDS = r"normal|italic|oblique|small-caps|bold|bolder|lighter|[1-9]00"
-_FONT = re.compile(
-    rf"((?:(?:{_WORDS})\s++)*+)([^\s/]++)(?:\s*+/\s*+\S++)?\s++(.++)", re.IGNORECASE | re.DOTALL
-)
+_FONT = rf"(?is)((?:(?:{_WORDS})\s++)*+)([^\s/]++)(?:\s*+/\s*+\S++)?\s++(.++)"
 
 
 class Cascade:
@@ -222,7 +220,7 @@ def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
 
 def _with_font(declared: Declarations) -> Declarations:
     """Return declarations with those that ``font`` stands for; others of the same element come after it."""
-    match = _FONT.fullmatch(declared.get("font", "").strip())
+    match = re.fullmatch(_FONT, declared.get("font", "").strip())
     if match is None:
         return declared
     words = match[1].lower().split()

@@ -43,7 +43,6 @@ _MAX_LENGTH = 1000
 _LENGTH = re.compile(rf"({NUMBER})\s*+(%|[a-zA-Z]*+)")
 _RUN = re.compile(rf"{BLANK}{{2,}}")
 _NUMBER = re.compile(NUMBER)
-_NEXT_NUMBER = re.compile(GAP + NUMBER)
 _NUMBERS = re.compile(rf"{BLANK}*+(?:{NUMBER}(?:{GAP}{NUMBER})*+)?+{BLANK}*+,?{BLANK}*+")
 # A comma after the last number is against the grammar, and all browsers forgive it.
 _END = re.compile(rf"{BLANK}*+,?{BLANK}*+")
@@ -147,7 +146,8 @@ def _error(text: str, expected: str) -> GrammarError:
     """Return the first error of a list of numbers that has one."""
     end = 0
     before: list[float] = []
-    while match := _NEXT_NUMBER.match(text, end):
+    following = re.compile(GAP + NUMBER)
+    while match := following.match(text, end):
         number = match[0].strip(BLANKS + ",")
         start = match.end() - len(number)
         if end == 0 and "," in match[0]:

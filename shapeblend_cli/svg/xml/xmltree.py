@@ -37,7 +37,7 @@ _UTF_16 = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"<\x00": "utf-16-le", 
 _DECLARED = rb"""\s*<\?xml[^>]*?\sencoding\s*=\s*["']([\w.:-]{1,40})["']"""
 _MULTIBYTE = {"gb2312", "gbk", "gb18030", "big5", "shift_jis", "cp932", "euc_jp", "euc_kr", "cp949"}
 
-_LINK = re.compile(r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*""")
+_LINK = r"""\s*url\(\s*["']?#([^"')]{1,1000})["']?\s*\)\s*"""
 _REFERENCE = rb"&([^;&#\s]{1,200});"
 # Drafts of SVG 1.0 added a date to the name, and people write https.
 _SVG_NAMESPACES = (
@@ -95,7 +95,7 @@ class Node:
 
 def named(value: str) -> str:
     """Return the id that a property such as ``url(#id)`` names; "" if none."""
-    match = _LINK.fullmatch(value)
+    match = re.fullmatch(_LINK, value)
     return match[1] if match else ""
 
 
