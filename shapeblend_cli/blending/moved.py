@@ -24,7 +24,6 @@ from shapeblend_cli.motion.choose import (
     judged_straight,
     looks_right,
 )
-from shapeblend_cli.motion.parts import parts_of, turn_of
 from shapeblend_cli.motion.rigid import Rigid
 from shapeblend_cli.motion.rotation import MUCH, is_rotated_copy, rotation_between, turn_between
 
@@ -111,6 +110,8 @@ def _with_parts_turned(
     angles = {k: _turn_of(paired, contours[k]) for k in moving if _may_turn(contours[k])}
     if not any(angles.values()):
         return None
+    from shapeblend_cli.motion.parts import parts_of, turn_of
+
     middle = Box.union([contour.polygon_a.box for contour in contours]).centre
     alignments = [_at_rest(contour) for contour in contours]
     turned = set()
@@ -220,6 +221,8 @@ def _turn_parts(
 
     The other parts keep the given similarity. None if no part is a rotated copy.
     """
+    from shapeblend_cli.motion.parts import parts_of, turn_of
+
     contours = list(shape.contours)
     alignments = [alignment] * len(contours)
     parts = parts_of(contours) if len(contours) > 1 else []

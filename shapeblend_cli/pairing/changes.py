@@ -20,8 +20,6 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import centroid, reverse_contour
 from shapeblend_cli.geometry.polyline import distances_to
 from shapeblend_cli.model import Box, Contour
-from shapeblend_cli.motion.slash import paint_the_same, slash_axis
-from shapeblend_cli.motion.sweep import Sweep, window_along, windows_of
 from shapeblend_cli.pairing.costs import assign, channels
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
 from shapeblend_cli.wires.stretches import TOLERANCE, mostly_shared, shared_stretches
@@ -31,7 +29,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour, PlacedDrawing
     from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Style
-    from shapeblend_cli.motion.sweep import Window
+    from shapeblend_cli.motion.sweep import Sweep, Window
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.wires.stretches import Shared
 
@@ -116,6 +114,8 @@ def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool
 
 def _loops_of(shared: Shared) -> tuple[Shared, list[_Loop]]:
     """Return loops that make B of A: whole outlines if those between shared stretches do not."""
+    from shapeblend_cli.motion.slash import paint_the_same
+
     loops = _loops(shared)
     a, b = ([flat.contour for flat in side] for side in shared.outlines)
     if not paint_the_same([*a, *(loop.contour for loop in loops)], b):
@@ -199,6 +199,9 @@ def crossed_out(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[
         return []
     if not all(are_painted_alike(p[0].style, q[0].style) for p, q in zip(*paints, strict=True)):
         return []
+    from shapeblend_cli.motion.slash import slash_axis
+    from shapeblend_cli.motion.sweep import window_along
+
     outlines = [[c.contour for c in side[-1]] for side in paints]  # the uppermost: it has the slash
     axis = slash_axis(*outlines)
     shrinks = axis is None
@@ -295,6 +298,8 @@ def _without_signs(shared: Shared) -> Shared:
 
 def _windows(loops: Sequence[_Loop], speck: float, *, shrinks: bool) -> list[Window | None]:
     """Return the windows of loops; None for a sign, as a plus in a bag or in a bite of it, and for a speck."""
+    from shapeblend_cli.motion.sweep import windows_of
+
     contours = [_turned(loop, shrinks=shrinks) for loop in loops]
     large = [k for k, contour in enumerate(contours) if abs(cubics.signed_area(contour.segments)) > speck]
     joints = [loops[k].joints(int(shrinks)) for k in large]
@@ -324,6 +329,8 @@ def _opening(
 
     They close, or shrink, where the contours of B stay.
     """
+    from shapeblend_cli.motion.sweep import Sweep
+
     still, others = sides[::-1] if shrinks else sides
     step = STEP / TOLERANCE * shared.distance
     bars = list({window: None for window in windows if window is not None})

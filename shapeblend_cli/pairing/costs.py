@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.options.constants import PAPER, WorkConstants
+from shapeblend_cli.wires.rough import few, turning, work_of_few
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -236,8 +237,6 @@ class Works:
 
     def _solve(self, i: int, j: int, copies: tuple[int, int], most: float) -> None:
         """Find the cost of a pair up to a maximum, or whatever it is if it was beyond another maximum before."""
-        from shapeblend_cli.wires.rough import work_of_few
-
         if most <= self._beyond.get(copies, 0.0):
             return
         limit = np.inf
@@ -255,8 +254,6 @@ class Works:
 
     def _outline(self, side: int, index: int, closed: bool) -> tuple[ComplexArray, float]:
         """Return a few vertices of a contour in its unit box, and how far they turn in all."""
-        from shapeblend_cli.wires.rough import few, turning
-
         key = side, index, closed
         if key not in self._few:
             vertices = few(to_unit_box((self._a, self._b)[side].contours[index].polygon), closed)

@@ -14,21 +14,14 @@ from shapeblend_cli.wires.common_cuts import solve_with_common_cuts
 from shapeblend_cli.wires.contour_blends import blend_along
 from shapeblend_cli.wires.contour_match import ContourMatch, Solved, rotated_back
 from shapeblend_cli.wires.direction import choose_direction, wires_of
-from shapeblend_cli.wires.same_segments import solve_with_same_segments
+from shapeblend_cli.wires.rough import rough_work
 from shapeblend_cli.wires.shared import solve_with_shared
-from shapeblend_cli.wires.symmetry import solve_with_symmetry
 
 if TYPE_CHECKING:
     from shapeblend_cli.matching.work import Wires
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.wires.constraints import Constraints
     from shapeblend_cli.wires.direction import Watch
-
-WAYS = (solve_with_shared, solve_with_same_segments, solve_with_symmetry, solve_with_common_cuts)
-"""Ways to solve two contours, the preferred ones first. The last one always has an answer."""
-
-WAYS_TO_CONSTRAINTS = WAYS[-1:]
-"""Ways that keep to pins and stiff regions."""
 
 OPENINGS = 24
 """Maximum number of nodes at which opening a closed contour is tried."""
@@ -59,13 +52,29 @@ def match_contours(
     match = ContourMatch(a.flat, flat_b, first, settings, free, rotation)
     solved = Solved(match.a, match.b, first)
     if settings.makes_common_cuts:
-        ways = WAYS if match.is_free else WAYS_TO_CONSTRAINTS
-        solved = next(found for way in ways if (found := way(match)))
+        solved = _solved(match)
         if required != free:
             solved = replace(match, constraints=required).solve(solved.a, solved.b)
     polygons = solved.a.polygon, match.rotated_back(solved.b.polygon)
     scales = polygons[0].box.larger_side, polygons[1].box.larger_side
     return blend_along((a.number, b.number), solved, scales)._replace(rotation=rotation)
+
+
+def _solved(match: ContourMatch) -> Solved:
+    """Solve two contours, with common cuts, in the first way that has an answer.
+
+    The last way always has one. It is the only one that keeps to pins and stiff regions.
+    """
+    if match.is_free:
+        if (found := solve_with_shared(match)) is not None:
+            return found
+        from shapeblend_cli.wires.same_segments import solve_with_same_segments
+        from shapeblend_cli.wires.symmetry import solve_with_symmetry
+
+        for way in (solve_with_same_segments, solve_with_symmetry):
+            if (found := way(match)) is not None:
+                return found
+    return solve_with_common_cuts(match)
 
 
 def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
@@ -78,8 +87,6 @@ def solved_wires(contour: ContourBlend, settings: Settings) -> Wires:
 
 def _open_for(line: PlacedContour, exterior: PlacedContour, settings: Settings) -> PlacedContour:
     """Open a closed contour at the node from which it becomes a line, or comes of it, with the least work."""
-    from shapeblend_cli.wires.rough import rough_work
-
     nodes = np.flatnonzero(exterior.polygon.parameter == 0.0)
     nodes = nodes[:: -(-len(nodes) // OPENINGS)] if len(nodes) else np.zeros(1, np.intp)
     p, unit = to_unit_box(line.polygon), to_unit_box(exterior.polygon)

@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.xml.units import Lengths
     from shapeblend_cli.svg.xml.xmltree import Node
 
-MARKED = frozenset(("path", "line", "polyline", "polygon"))
-"""Elements that may have markers."""
-
 MOST = 500
 """Maximum number of markers of an element."""
 

@@ -18,7 +18,6 @@ from shapeblend_cli.svg.effects.layers import DECLARED, Clipped, Drawn, Given, L
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.clips import REGIONS, Clips, covers
 from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
-from shapeblend_cli.svg.reading.markers import MARKED, marks
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of, numbered
@@ -36,7 +35,7 @@ from shapeblend_cli.svg.styles.selection import ancestors, no_shape, paints_noth
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, transform_of, translation
 from shapeblend_cli.svg.xml.units import LIMIT, Lengths
-from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, POINT_LISTS, SHAPES, Node
+from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, MARKED, POINT_LISTS, SHAPES, Node
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.images.element import Images, PlacedImage
@@ -318,9 +317,10 @@ class Walk:
         inherited = visit.inherited
         if {inherited.marker_start, inherited.marker_mid, inherited.marker_end} == {"none"}:
             return
-        found = marks(
-            self._contours(visit, declared), inherited, visit.lengths, self._ids, self._cascade, self._notes
-        )
+        from shapeblend_cli.svg.reading.markers import marks
+
+        outlines = self._contours(visit, declared)
+        found = marks(outlines, inherited, visit.lengths, self._ids, self._cascade, self._notes)
         for mark in reversed(found):
             if mark.node in visit.used or len(visit.used) >= MAX_USE_DEPTH:
                 continue

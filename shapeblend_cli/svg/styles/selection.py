@@ -20,8 +20,8 @@ _MAX_COMPARED = 2_000
 _MAX_WORD = 100
 _MAX_WORDS = 8
 # Parts of a selector that are neither a type nor a class nor an id.
-_OTHER_PARTS = re.compile(r"""\[[^\]]*+\]|"[^"]*+"|'[^']*+'|::?[\w-]++""")
-_WORD = re.compile(r"[#.]?[\w-]++")
+_OTHER_PARTS = r"""\[[^\]]*+\]|"[^"]*+"|'[^']*+'|::?[\w-]++"""
+_WORD = r"[#.]?[\w-]++"
 
 
 class SelectorError(ValueError):
@@ -203,7 +203,7 @@ def _similar(text: str, names: list[str]) -> list[str]:
 
     known = set(names)
     words = [text] if _is_id(text) else []
-    words += [word for word in _WORD.findall(_OTHER_PARTS.sub(" ", text)) if word not in known]
+    words += [word for word in re.findall(_WORD, re.sub(_OTHER_PARTS, " ", text)) if word not in known]
     similar: dict[str, None] = {}
     for word in words[:_MAX_WORDS]:
         wanted = word[:_MAX_WORD].casefold()

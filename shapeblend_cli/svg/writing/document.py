@@ -19,7 +19,6 @@ from shapeblend_cli.model import (
     PaintedShape,
     Style,
 )
-from shapeblend_cli.model.words import Words
 from shapeblend_cli.paint.names import page_for
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.paint import Around, Gradients, hyphened, picture_attributes, visible_styles
@@ -265,6 +264,8 @@ def painted(style: Style, data: Mapping[str, str], gradients: Gradients) -> Elem
     """
     if style.picture is None:
         return new("path", {**data, **gradients.attributes(style)})
+    from shapeblend_cli.model.words import Words  # few drawings have pictures, or text that stays
+
     if isinstance(style.picture.raster, Words):
         return clipped(gradients.text(style), data.get("clip_path"))
     image = new("image", picture_attributes(style.picture, style.fill_opacity, gradients.decimals))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from base64 import b64encode
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -30,7 +29,6 @@ from shapeblend_cli.model import (
     Style,
     View,
 )
-from shapeblend_cli.model.words import Words
 from shapeblend_cli.svg.writing.ids import Ids
 from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import DASH_DIGITS, number
@@ -288,6 +286,8 @@ class Gradients:
 
     def shown_link(self, shown: Raster | View) -> str:
         """Return a link to what a filter shows: a picture, or a document of its own with what is in a box."""
+        from base64 import b64encode
+
         if isinstance(shown, Raster):
             return shown.uri
         box = shown.box
@@ -332,7 +332,8 @@ class Gradients:
 
     def text(self, style: Style, *, at: Picture | None = None, is_painted: bool = True) -> Element:
         """Return the text that a style shows, `at` its own place or at another one, with its fonts defined once."""
-        from shapeblend_cli.svg.writing.kept.text_element import text_element  # few blends have any
+        from shapeblend_cli.model.words import Words  # few blends have any
+        from shapeblend_cli.svg.writing.kept.text_element import text_element
 
         assert style.picture is not None
         assert isinstance(style.picture.raster, Words)
