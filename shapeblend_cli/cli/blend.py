@@ -106,13 +106,15 @@ def opened(
 
     A project that `stays_inside` must not write outside its folder; the studio asks instead.
     """
-    from shapeblend_cli.rows.project import check_outputs, is_project, read_project
+    from shapeblend_cli.rows import is_project
 
     projects = [file for file in files if is_project(file)]
     if not projects:
         return files, given
     if len(files) > 1:
         raise click.UsageError(f"{projects[0]}: a project names its own drawings, and is given alone")
+    from shapeblend_cli.rows.project import check_outputs, read_project
+
     project = read_project(projects[0])
     if stays_inside:
         check_outputs(project, projects[0], given)

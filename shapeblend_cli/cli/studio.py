@@ -77,7 +77,8 @@ def studio(files: tuple[str, ...], **given: Any) -> None:
     beside = {name: value for name, value in given.items() if name in named and value not in (None, ())}
 
     from shapeblend_cli.outputs.registry import DEFAULT
-    from shapeblend_cli.rows.project import Project, is_project
+    from shapeblend_cli.rows import is_project
+    from shapeblend_cli.rows.project import Project
     from shapeblend_cli.studio.server import Studio
     from shapeblend_cli.studio.session import Session
 

@@ -16,8 +16,6 @@ from shapeblend_cli.rows.manifest import once
 from shapeblend_cli.rows.row import LETTERS, Name, command_of, fields_of, plain_number, row_of, typed
 from shapeblend_cli.system.write import is_inside
 
-SUFFIX = ".json"
-
 MAX_BYTES = 4 * 2**20
 """Maximum size of a project, in bytes. Whatever is larger is another file."""
 
@@ -37,11 +35,6 @@ class Project(NamedTuple):
     def command(self) -> tuple[str, ...]:
         """The command line that does the same."""
         return command_of(self.files, self.given)
-
-
-def is_project(file: str) -> bool:
-    """Return whether a file is a project, by its name."""
-    return file.lower().endswith(SUFFIX)
 
 
 def read_project(file: str) -> Project:

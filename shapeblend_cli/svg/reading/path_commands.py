@@ -48,7 +48,7 @@ class TooManySegments(ValueError):
         super().__init__(f"more than {MAX_SEGMENTS} segments, the limit")
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False, repr=False)
 class Subpath:
     """One subpath as the text of commands that ``parse_path`` reads correctly.
 
