@@ -221,11 +221,13 @@ def _turn_parts(
 
     The other parts keep the given similarity. None if no part is a rotated copy.
     """
+    contours = list(shape.contours)
+    if len(contours) < 2:
+        return None
     from shapeblend_cli.motion.parts import parts_of, turn_of
 
-    contours = list(shape.contours)
     alignments = [alignment] * len(contours)
-    parts = parts_of(contours) if len(contours) > 1 else []
+    parts = parts_of(contours)
     middle = Box.union([contour.polygon_a.box for contour in contours]).centre
     turns = False
     for numbers in parts if len(parts) > 1 else ():

@@ -99,10 +99,12 @@ def _pairs_of_letters(
 
     The place of a letter is that among all letters of its drawing, from 0 to 1. Squares of distances keep the order.
     """
-    from shapeblend_cli.pairing.assignment import NEVER
-
     ours = _letters(a, {i for i, _ in required})
     theirs = _letters(b, {j for _, j in required})
+    if not ours or not theirs:
+        return []
+    from shapeblend_cli.pairing.assignment import NEVER
+
     pairs: list[Numbers] = []
     for are_equal in (True, False):
         if len(ours) * len(theirs) > MOST_LETTERS:
