@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -38,8 +38,7 @@ class Solved(NamedTuple):
     correspondence: Correspondence
 
 
-@dataclass(frozen=True, eq=False)
-class ContourMatch:
+class ContourMatch(NamedTuple):
     """Two contours in the same direction, and the requirements on their match.
 
     Attributes

@@ -54,7 +54,7 @@ def match_contours(
     if settings.makes_common_cuts:
         solved = _solved(match)
         if required != free:
-            solved = replace(match, constraints=required).solve(solved.a, solved.b)
+            solved = match._replace(constraints=required).solve(solved.a, solved.b)
     polygons = solved.a.polygon, match.rotated_back(solved.b.polygon)
     scales = polygons[0].box.larger_side, polygons[1].box.larger_side
     return blend_along((a.number, b.number), solved, scales)._replace(rotation=rotation)

@@ -1,7 +1,5 @@
 """The solver for polygons without a drawing, and the search through every path beside it."""
 
-import dataclasses
-
 import numpy as np
 
 from shapeblend_cli.matching.solve import Search, least_work
@@ -21,7 +19,7 @@ def find_least(p0, p1, closed=True, constants=None, weight=None, **search):
 def match_of(a, b, **settings):
     """The match of two flat contours that is free of constraints."""
     match = ContourMatch(a, b, None, Settings(**settings), Constraints())
-    return dataclasses.replace(match, first=match.solve(a, b).correspondence)
+    return match._replace(first=match.solve(a, b).correspondence)
 
 
 def exhaustive(p0, p1, closed, constants, weight=None, **restrictions):
