@@ -17,7 +17,6 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ShapeBlend
 from shapeblend_cli.pens.line import UNITS, length
 from shapeblend_cli.pens.named_lines import wants_lines
-from shapeblend_cli.pens.recovery.region import outline_points
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -135,6 +134,7 @@ def _thickness(drawing: PlacedDrawing) -> float:
 def _regions(drawing: PlacedDrawing, scale: float) -> list[Region]:
     """Return the regions of a drawing, each an exterior with its holes."""
     from shapeblend_cli.brushes.areas import Region
+    from shapeblend_cli.pens.recovery.region import outline_points
 
     groups: dict[int, list[PlacedContour]] = defaultdict(list)
     for contour in drawing.contours:

@@ -16,7 +16,6 @@ from shapeblend_cli.model import Box, Contour
 from shapeblend_cli.pairing.riders import riders
 from shapeblend_cli.pens.drawings import file_line
 from shapeblend_cli.pens.line import UNITS, evenly
-from shapeblend_cli.pens.recovery.region import Recovered, stroke_edges
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
@@ -223,6 +222,8 @@ def _clean(ring: ComplexArray, points: ComplexArray, reach: float) -> ComplexArr
 
 def _is_right(rings: Sequence[ComplexArray], line: PenLine, points: ComplexArray, cap: str) -> bool:
     """Return whether outlines cover what a stroke paints."""
+    from shapeblend_cli.pens.recovery.region import Recovered, stroke_edges
+
     own = points[:-1] if line.closed else points
     join = "round" if line.style.stroke_linejoin == "round" else "miter"
     wanted = stroke_edges([Recovered(own, line.closed, line.width, cap, join)])
