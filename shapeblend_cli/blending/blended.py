@@ -16,8 +16,6 @@ from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
 from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
 from shapeblend_cli.blending.plates.slots import with_slots_closed
-from shapeblend_cli.blending.rematched import with_other_matches, with_points_nearer
-from shapeblend_cli.blending.silhouettes.blend import with_silhouettes
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
@@ -158,10 +156,7 @@ def _exchanged(
 def _as_silhouettes(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, usual: Shapes
 ) -> Shapes:
-    """Return the blend of two drawings of one colour, or a special one, or one without crossings.
-
-    The outlines of single contours are freed of crossings first: gaps would close for these.
-    """
+    """Return the blend of two drawings of one colour, or a special one, or one without crossings."""
     special = with_signs_inverted(a, b, settings, view, usual)
     special = with_gaps_closed(a, b, settings, view, special)
     special = with_slots_closed(a, b, view, special)
@@ -170,29 +165,7 @@ def _as_silhouettes(
         return special
     pair = partial(_paired, a, b, settings, progress)
     move = partial(_blended_and_paced, view=view)
-    are_single = len(a.contours) == len(b.contours) == 1
-    shapes = with_crossings_undone(usual, pair, move, view) if are_single else usual
-    blend = partial(_in_outline_alone, settings, view, progress)
-    found = with_silhouettes(a, b, settings, view, shapes, blend)
-    return found if are_single or found is not shapes else with_crossings_undone(shapes, pair, move, view)
-
-
-def _in_outline_alone(
-    settings: Settings,
-    view: Box,
-    progress: Progress,
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    wanted: list[tuple[int, int]],
-    most: float,
-) -> tuple[Shapes, float]:
-    """Blend two drawings of one colour by their outlines, with pairs of contours that are wanted, and grade that.
-
-    Given is the grade up to which the blend is taken.
-    """
-    move = partial(_blended, view=view)
-    paired = pair_drawings(a, b, settings, 0.0, progress, wanted=wanted)
-    return with_points_nearer(paired, move(paired), move, view, most)
+    return with_crossings_undone(usual, pair, move, view)
 
 
 def _in_outlines(
@@ -234,7 +207,7 @@ def _by_lines_or_outlines(
     `swap` returns a blend, or one in which the drawings take each other's place.
     """
     is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
-    outlined = partial(_by_outlines, view=view, progress=progress, may_cut=not is_sign)
+    outlined = partial(_by_outlines, view=view, progress=progress)
 
     def paced(shapes: Shapes, kept: float = 1.0, *, by_size: bool = True) -> Shapes:
         if not _is_free(settings):
@@ -266,7 +239,7 @@ def _by_lines_or_outlines(
 
 
 def _by_outlines(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, *, may_cut: bool
+    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
 ) -> Shapes:
     """Blend two drawings by their outlines, of which some may be cut, and by the lines that are cut out of plates."""
     move = partial(_blended, view=view)
@@ -283,7 +256,6 @@ def _by_outlines(
     shapes = move(paired)
     if _is_free(settings):
         paired, shapes = with_better_pairs(paired, shapes, move, view, works)
-        paired, shapes = with_other_matches(paired, shapes, move, view, works, may_cut=may_cut)
     return _with_bodies(paired, shapes, view)
 
 

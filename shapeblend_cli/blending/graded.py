@@ -99,6 +99,6 @@ def _strip(pair: Pair) -> list[PictureArray]:
     return [picture(shapes_at(pair, k / STEPS), view) for k in range(STEPS + 1)]
 
 
-def is_suspect(shapes: Sequence[ShapeBlend], least: float = SUSPECT) -> bool:
+def is_suspect(shapes: Sequence[ShapeBlend]) -> bool:
     """Return whether the judge of outlines, which has looked at them already, found a fault in a shape."""
-    return any(shape.taken is not None and shape.taken.wrong >= least for shape in shapes)
+    return any(shape.taken is not None and shape.taken.wrong >= SUSPECT for shape in shapes)

@@ -109,16 +109,16 @@ def with_better_pairs(
     if best <= FINE:
         return paired, usual
     found = paired, usual
-    seen = [partners_in(paired)]
+    seen = [_partners_in(paired)]
     for other, gain in _others(paired, works):
-        if partners_in(other) not in seen:
-            seen.append(partners_in(other))
+        if _partners_in(other) not in seen:
+            seen.append(_partners_in(other))
             shapes = move(other)
             grade = grade_of_shapes(shapes, view) + gain
             if grade < best:
                 best, found = grade, (other, shapes)
     other = _without_torn_lines(found[0])
-    if partners_in(other) not in seen:
+    if _partners_in(other) not in seen:
         shapes = move(other)
         grade = grade_of_shapes(shapes, view)
         if grade < best - PREFERRED:
@@ -222,7 +222,7 @@ def _is_stray(shape: ShapeBlend, contour: ContourBlend, size: float) -> bool:
     return is_torn or is_other or (other > SHADE and way > FAR)
 
 
-def partners_in(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
+def _partners_in(paired: PairedDrawings) -> set[tuple[int | None, int | None, bool]]:
     """Return the numbers of partners, and whether one of them is a piece."""
     return {(*numbers, any(one.is_piece for one in pair)) for numbers, (pair, _) in paired.pairs.items()}
 

@@ -6,7 +6,6 @@ from pathlib import Path
 import pytest
 
 import shapeblend_cli as sb
-from shapeblend_cli.blending.silhouettes import blend as silhouettes
 
 pytest.importorskip("uharfbuzz")
 FONT = Path(__file__).parents[1] / "svg" / "reading" / "fonts" / "noto-sans.ttf"
@@ -32,11 +31,3 @@ def test_equal_letters_become_each_other_and_the_others_keep_their_order():
 def test_letters_are_no_pen_lines_on_their_way():
     shapes = sb.blend(text("HELLO"), text("WORLD")).frame(0.5).shapes
     assert {shape.style.stroke for shape in shapes} == {None}
-
-
-def test_letters_do_not_melt_together(monkeypatch):
-    monkeypatch.setattr(silhouettes, "DETAILED", 0.0)
-    monkeypatch.setattr(silhouettes, "PLAIN", 0.0)
-    monkeypatch.setattr(silhouettes, "WIDTHS", (silhouettes.Width(0.2, 0.0, -9.0, 9.0, 0.0),))
-    (pair,) = sb.blend(text("IA"), text("WB")).pairs
-    assert all(shape.reason != silhouettes.CLOSED for shape in pair.shapes)

@@ -15,13 +15,8 @@ try:
 except ImportError:  # Cython is needed to build, not to run
     from shapeblend_cli import _cython as cython
 
-if cython.compiled:
-    from cython.cimports.libc.math import sqrt
-else:
-    from math import sqrt
-
 if TYPE_CHECKING:
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray
 
 COMPILED = cython.compiled
 
@@ -70,40 +65,11 @@ def ball_diameters(
     """
     found = np.full(len(points), most)
     weight, wide, enough = ample or Ample(np.zeros(len(points)), INFINITY, 0.0)
-    x, y, u, v, boxes = _arrays(points, normals)
+    parts = (points.real, points.imag, normals.real, normals.imag)
+    x, y, u, v = map(np.ascontiguousarray, parts)
+    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
     is_ample = _narrow(x, y, u, v, boxes, weight, np.array([wide, enough], np.float64), found)
     return None if is_ample else found
-
-
-def touching_points(points: ComplexArray, normals: ComplexArray, grazing: float) -> IntArray:
-    """Return the point that bounds the largest ball on the side of the normals at each point, -1 where none does.
-
-    It is found as in `ball_diameters`. Of points that bound a ball alike it is the first.
-
-    Parameters
-    ----------
-    points : (n,) complex
-        Of all contours of a region.
-    normals : (n,) complex
-        Unit vectors.
-    grazing : float
-        Minimum sine of the angle between the tangent at a point and the chord to one that bounds its ball.
-
-    Returns
-    -------
-    (n,) int
-    """
-    found = np.empty(len(points), np.intp)
-    x, y, u, v, boxes = _arrays(points, normals)
-    _find_touching(x, y, u, v, boxes, grazing, found)
-    return found
-
-
-def _arrays(points: ComplexArray, normals: ComplexArray) -> tuple[FloatArray, ...]:
-    """Return x and y of points, x and y of normals, and room for the boxes around blocks."""
-    parts = (points.real, points.imag, normals.real, normals.imag)
-    boxes = np.empty(((len(points) + BLOCK - 1) // BLOCK, 4))
-    return (*map(np.ascontiguousarray, parts), boxes)
 
 
 @cython.cfunc
@@ -119,54 +85,6 @@ def _fill_boxes(x: cython.double[::1], y: cython.double[::1], boxes: cython.doub
         for j in range(b * BLOCK + 1, min(x.shape[0], (b + 1) * BLOCK)):
             boxes[b, 0], boxes[b, 1] = min(boxes[b, 0], x[j]), max(boxes[b, 1], x[j])
             boxes[b, 2], boxes[b, 3] = min(boxes[b, 2], y[j]), max(boxes[b, 3], y[j])
-
-
-@cython.cfunc
-def _find_touching(
-    x: cython.double[::1],
-    y: cython.double[::1],
-    u: cython.double[::1],
-    v: cython.double[::1],
-    boxes: cython.double[:, ::1],
-    grazing: cython.double,
-    found: cython.Py_ssize_t[::1],
-) -> None:
-    """Find the balls of points: first that by what bounds the last one, then by blocks that reach into the ball."""
-    i: cython.Py_ssize_t
-    j: cython.Py_ssize_t
-    b: cython.Py_ssize_t
-    count: cython.Py_ssize_t = x.shape[0]
-    last: cython.Py_ssize_t = 0
-    _fill_boxes(x, y, boxes)
-    for i in range(count):
-        best: cython.double = INFINITY
-        touched: cython.Py_ssize_t = -1
-        first: cython.Py_ssize_t = last
-        for b in range(-1, boxes.shape[0]):
-            begin: cython.Py_ssize_t = first
-            end: cython.Py_ssize_t = first + 1
-            if b >= 0:
-                if best < INFINITY:
-                    radius: cython.double = 0.5 * best
-                    away_x: cython.double = x[i] + radius * u[i]
-                    away_y: cython.double = y[i] + radius * v[i]
-                    away_x = max(boxes[b, 0] - away_x, away_x - boxes[b, 1], 0.0)
-                    away_y = max(boxes[b, 2] - away_y, away_y - boxes[b, 3], 0.0)
-                    if away_x * away_x + away_y * away_y > radius * radius * NO_LESS:
-                        continue
-                begin = b * BLOCK
-                end = min(count, begin + BLOCK)
-            for j in range(begin, end):
-                dx: cython.double = x[j] - x[i]
-                dy: cython.double = y[j] - y[i]
-                inward: cython.double = u[i] * dx + v[i] * dy
-                square: cython.double = dx * dx + dy * dy
-                if inward > grazing * sqrt(square):
-                    diameter: cython.double = square / inward
-                    if diameter < best or (diameter == best and j < touched):
-                        best, touched = diameter, j
-        found[i] = touched
-        last = max(touched, 0)
 
 
 @cython.cfunc
