@@ -125,16 +125,39 @@ def blend_shapes(
         return _blended(paired, view)
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
+    # Who says that drawings stay where they lie wants to see them go from one place to the other.
+    may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
+    return _finished(a, b, settings, view, progress, shapes, may_swap=may_swap)
+
+
+def _finished(
+    a: PlacedDrawing,
+    b: PlacedDrawing,
+    settings: Settings,
+    view: Box,
+    progress: Progress,
+    usual: Shapes,
+    *,
+    may_swap: bool,
+) -> Shapes:
+    """Return the usual blend of two drawings, or what looks better: a special one, a swap, or one without crossings."""
     outlined = with_outlines(a, b, settings, view)
-    if all(map(is_plain, outlined)):
-        shapes = _as_silhouettes(*outlined, settings, view, progress, shapes)
+    are_plain = all(map(is_plain, outlined))
+    if are_plain:
+        shapes = _special(*outlined, settings, view, usual)
     else:
         from shapeblend_cli.blending.parts.faded import with_details_faded
 
-        shapes = with_details_faded(shapes, view.larger_side)
-    # Who says that drawings stay where they lie wants to see them go from one place to the other.
-    may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
-    return _exchanged(a, b, settings, view, progress, shapes) if may_swap else shapes
+        shapes = with_details_faded(usual, view.larger_side)
+    if may_swap:
+        shapes = _exchanged(a, b, settings, view, progress, shapes)
+    if not are_plain or shapes is not usual:
+        return shapes
+    pair = partial(_paired, *outlined, settings, progress)
+    shapes = with_crossings_undone(usual, pair, partial(_blended_and_paced, view=view), view)
+    # Without crossings, too, it may be beyond hope.
+    is_new = may_swap and shapes is not usual
+    return _exchanged(a, b, settings, view, progress, shapes) if is_new else shapes
 
 
 def _exchanged(
@@ -153,19 +176,12 @@ def _exchanged(
     return found or (swapped(a, b, settings, view) if hopeless else shapes)
 
 
-def _as_silhouettes(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, usual: Shapes
-) -> Shapes:
-    """Return the blend of two drawings of one colour, or a special one, or one without crossings."""
+def _special(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes) -> Shapes:
+    """Return the blend of two drawings of one colour, or a special one."""
     special = with_signs_inverted(a, b, settings, view, usual)
     special = with_gaps_closed(a, b, settings, view, special)
     special = with_slots_closed(a, b, view, special)
-    special = with_brushes(a, b, settings, view, special)
-    if special is not usual:
-        return special
-    pair = partial(_paired, a, b, settings, progress)
-    move = partial(_blended_and_paced, view=view)
-    return with_crossings_undone(usual, pair, move, view)
+    return with_brushes(a, b, settings, view, special)
 
 
 def _in_outlines(
