@@ -213,6 +213,16 @@ def test_what_grows_into_a_wider_view_stays_in_it(tmp_path):
             assert view.expanded(1e-6).contains(box)
 
 
+@pytest.mark.parametrize("width", [19, 21, 24])
+def test_a_view_that_changes_a_little_makes_a_drawing_little_smaller(tmp_path, width):
+    wide, narrow = (drawing(f'<path d="M1 4H{x - 1}V20H1z"/>', viewbox=f"0 0 {x} 24") for x in (24, width))
+    for ends, leaves in ((wide, narrow), True), ((narrow, wide), False):
+        (pair,) = sb.blend(*ends, swap="always").pairs
+        needed = [(1.0 - t) + t * (width - 2) / 22 for t in (0.1, 0.2, 0.3)]
+        sizes = [sizes_at(pair, t if leaves else 1.0 - t)[not leaves] for t in (0.1, 0.2, 0.3)]
+        assert all(size >= 0.95 * least for size, least in zip(sizes, needed, strict=True))
+
+
 @pytest.mark.parametrize("each", [False, True])
 def test_an_easing_comes_on_top_of_the_pace(each):
     (pair,) = blended(f"lucide/{COPY}", f"lucide/{CHECK}").pairs

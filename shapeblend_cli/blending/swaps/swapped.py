@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
+    from shapeblend_cli.model import FloatArray
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
@@ -31,8 +32,14 @@ KNOTS = 12
 SNAP = 16
 """Power of the time by which a drawing shrinks, and backwards grows: large for long, and small for moments only."""
 
-SAME_VIEW = 1e-6
-"""Maximum distance of the sides of two views that are the same, as a share of the larger side."""
+STEPS = np.arange(KNOTS + 1) / KNOTS
+"""Even shares of the time that a drawing takes to leave or to come."""
+
+LEAVING = GONE * STEPS
+"""Times of these steps for the drawing that leaves."""
+
+COMING = COMES + (1.0 - COMES) * STEPS
+"""Times of these steps for the drawing that comes."""
 
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
 RESHAPED = "the drawings change over half way, where their silhouettes meet"
@@ -53,7 +60,8 @@ def swapped(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, reason: str = SWAPPED
 ) -> Shapes:
     """Return shapes of A that shrink to the centre of the view, below shapes of B that grow from it."""
-    centre, is_one_view = view.centre, all(_fills(side, view) for side in (a, b))
+    centre = view.centre
+    rooms = _rooms((a, b), centre)
 
     def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
         for number, members in groupby(contours, key=lambda contour: contour.shape):
@@ -66,33 +74,53 @@ def swapped(
                 *(styles[::-1] if here else styles),
                 reason=reason,
                 sources=(None, number) if here else (number, None),
-                pace=_coming(is_one_view) if here else _leaving(is_one_view),
+                pace=_coming(rooms[1]) if here else _leaving(rooms[0]),
             )
 
     return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
 
 
-def _fills(side: PlacedDrawing, view: Box) -> bool:
-    """Return whether a drawing is seen in all of a view."""
+def _rooms(sides: tuple[PlacedDrawing, PlacedDrawing], centre: complex) -> list[FloatArray]:
+    """Return how large each drawing may be at each step to stay in the picture, whose view changes: shares of its size.
+
+    What it shows at its end counts.
+    """
+    if not all(side.contours for side in sides):
+        return [np.ones(len(STEPS))] * 2
+    inks = [Box.union([each.box.expanded(each.style.reach) for each in side.contours]) for side in sides]
+    views = [_view_of(side, ink) for side, ink in zip(sides, inks, strict=True)]
+    found = []
+    for ink, view, times in zip(inks, views, (LEAVING, COMING), strict=True):
+        own = np.minimum(_distances(ink, centre), _distances(view, centre))
+        there = np.array([_distances(views[0].interpolate(views[1], t), centre) for t in times.tolist()])
+        found.append((there[:, own > 0.0] / own[own > 0.0]).min(axis=1, initial=1.0).clip(0.0))
+    return found
+
+
+def _view_of(side: PlacedDrawing, ink: Box) -> Box:
+    """Return the view of a drawing: its viewBox, but with its ink where nothing else would be seen."""
     if side.drawing.viewbox is None:
-        return False
+        return ink
     own = side.to_a.box(side.drawing.viewbox)
-    return max(map(abs, np.subtract(own.bounds, view.bounds))) <= SAME_VIEW * view.larger_side
+    return own if own.overlaps(ink) else Box.union([own, ink])
 
 
-def _leaving(is_one_view: bool) -> tuple[tuple[float, float], ...]:
+def _distances(box: Box, centre: complex) -> FloatArray:
+    """Return how far the sides of a box are from a point in it: left, top, right and bottom."""
+    left, top, right, bottom = box.bounds
+    return np.array([centre.real - left, centre.imag - top, right - centre.real, bottom - centre.imag])
+
+
+def _leaving(rooms: FloatArray) -> tuple[tuple[float, float], ...]:
     """Return the pace of a drawing that shrinks away: ever faster, so that it is large for most of its time.
 
-    In a view that changes it shrinks at least evenly, so that it stays in the picture.
+    It shrinks early where there is no room for it.
     """
-    steps = [k / KNOTS for k in range(KNOTS + 1)]
-    shrunk = [step**SNAP if is_one_view else max(step**SNAP, GONE * step) for step in steps]
-    return (*((GONE * step, share) for step, share in zip(steps, shrunk, strict=True)), (1.0, 1.0))
+    shrunk = np.maximum(STEPS**SNAP, 1.0 - rooms)
+    return (*zip(LEAVING.tolist(), shrunk.tolist(), strict=True), (1.0, 1.0))
 
 
-def _coming(is_one_view: bool) -> tuple[tuple[float, float], ...]:
-    """Return the pace of a drawing that grows: ever slower."""
-    times = [COMES + (1.0 - COMES) * k / KNOTS for k in range(KNOTS + 1)]
-    grown = [1.0 - ((1.0 - t) / (1.0 - COMES)) ** SNAP for t in times]
-    shares = grown if is_one_view else [min(share, t) for share, t in zip(grown, times, strict=True)]
-    return ((0.0, 0.0), *zip(times, shares, strict=True))
+def _coming(rooms: FloatArray) -> tuple[tuple[float, float], ...]:
+    """Return the pace of a drawing that grows: ever slower, and into no more room than there is."""
+    grown = np.minimum(1.0 - (1.0 - STEPS) ** SNAP, rooms)
+    return ((0.0, 0.0), *zip(COMING.tolist(), grown.tolist(), strict=True))
