@@ -33,7 +33,7 @@ FRAMES = 30
 EVERY = 5
 """One pair in this many is measured."""
 
-ROUNDS = 7
+ROUNDS = 5
 """Number of turns; their median counts."""
 
 MANY = 8
