@@ -127,11 +127,12 @@ def holes_by_exterior(contours: Sequence[PlacedContour]) -> dict[int, list[Place
 
 
 class PlacedDrawing(NamedTuple):
-    """A drawing, the map that lays it over A, and its contours there, by number."""
+    """A drawing, the map that lays it over A, its contours there, by number, and the part of the plane that is seen."""
 
     drawing: Drawing
     to_a: Similarity
     contours: Sequence[PlacedContour]
+    view: Box | None = None
 
 
 def decompose(

@@ -49,7 +49,14 @@ def lay(
             )
         is_own = k == 0 or settings.place != "bbox"
         view = view_of(painted, viewbox, settings.viewbox, own=is_own)
-        laid.append(LaidDrawing(placed[k], painted, view, page._replace(heading=PurePath(drawing.file).stem)))
+        laid.append(
+            LaidDrawing(
+                placed[k]._replace(view=view),
+                painted,
+                view,
+                page._replace(heading=PurePath(drawing.file).stem),
+            )
+        )
     return laid, notes
 
 

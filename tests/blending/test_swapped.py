@@ -200,12 +200,22 @@ def test_one_of_both_is_large_nearly_all_the_time_and_never_both():
     assert max(sizes[50]) > 0.75, "half way one is nearly as large as it will be"
 
 
-def test_what_grows_into_a_wider_view_stays_in_it(tmp_path):
+@pytest.mark.parametrize(
+    ("outline", "options"),
+    [
+        ("M2 8L6 12L10 8L6 4Z", {}),
+        ("M2 8L40 12L10 8L6 4Z", {"viewbox": "grow"}),
+        ("M2 8L6 12L10 8L6 4Z", {"place": "bbox", "viewbox": "grow"}),
+    ],
+)
+@pytest.mark.parametrize("backwards", [False, True])
+def test_what_leaves_or_grows_stays_in_a_view_that_changes(tmp_path, outline, options, backwards):
     narrow = tmp_path / "narrow.svg"
     narrow.write_text(
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 12 24"><path d="M2 8L6 12L10 8L6 4Z"/></svg>'
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 12 24"><path d="{outline}"/></svg>'
     )
-    (pair,) = sb.blend(narrow, ICONS / "lucide" / "sun.svg", swap="always").pairs
+    ends = [narrow, ICONS / "lucide" / "sun.svg"]
+    (pair,) = sb.blend(*ends[:: -1 if backwards else 1], swap="always", **options).pairs
     for t in np.linspace(0.0, 1.0, 33):
         view = pair.views[0].interpolate(pair.views[1], t)
         for shape in pair.shapes:
@@ -214,7 +224,7 @@ def test_what_grows_into_a_wider_view_stays_in_it(tmp_path):
 
 
 @pytest.mark.parametrize("width", [19, 21, 24])
-def test_a_view_that_changes_a_little_makes_a_drawing_little_smaller(tmp_path, width):
+def test_a_view_that_changes_makes_a_drawing_no_smaller_than_it_has_to_be(tmp_path, width):
     wide, narrow = (drawing(f'<path d="M1 4H{x - 1}V20H1z"/>', viewbox=f"0 0 {x} 24") for x in (24, width))
     for ends, leaves in ((wide, narrow), True), ((narrow, wide), False):
         (pair,) = sb.blend(*ends, swap="always").pairs

@@ -83,30 +83,22 @@ def swapped(
 def _rooms(sides: tuple[PlacedDrawing, PlacedDrawing], centre: complex) -> list[FloatArray]:
     """Return how large each drawing may be at each step to stay in the picture, whose view changes: shares of its size.
 
-    What it shows at its end counts.
+    Parts of a drawing outside its own view do not count, nor does a side of it beyond which the centre lies.
     """
-    if not all(side.contours for side in sides):
+    views = [side.view for side in sides if side.view is not None]
+    if len(views) < 2 or not all(side.contours for side in sides):
         return [np.ones(len(STEPS))] * 2
-    inks = [Box.union([each.box.expanded(each.style.reach) for each in side.contours]) for side in sides]
-    views = [_view_of(side, ink) for side, ink in zip(sides, inks, strict=True)]
     found = []
-    for ink, view, times in zip(inks, views, (LEAVING, COMING), strict=True):
+    for side, view, times in zip(sides, views, (LEAVING, COMING), strict=True):
+        ink = Box.union([contour.box.expanded(contour.style.reach) for contour in side.contours])
         own = np.minimum(_distances(ink, centre), _distances(view, centre))
         there = np.array([_distances(views[0].interpolate(views[1], t), centre) for t in times.tolist()])
         found.append((there[:, own > 0.0] / own[own > 0.0]).min(axis=1, initial=1.0).clip(0.0))
     return found
 
 
-def _view_of(side: PlacedDrawing, ink: Box) -> Box:
-    """Return the view of a drawing: its viewBox, but with its ink where nothing else would be seen."""
-    if side.drawing.viewbox is None:
-        return ink
-    own = side.to_a.box(side.drawing.viewbox)
-    return own if own.overlaps(ink) else Box.union([own, ink])
-
-
 def _distances(box: Box, centre: complex) -> FloatArray:
-    """Return how far the sides of a box are from a point in it: left, top, right and bottom."""
+    """Return how far the sides of a box are from a point: left, top, right and bottom, below 0 if it is beyond them."""
     left, top, right, bottom = box.bounds
     return np.array([centre.real - left, centre.imag - top, right - centre.real, bottom - centre.imag])
 
