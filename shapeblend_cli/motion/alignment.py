@@ -242,11 +242,11 @@ def shared_alignments(shapes: Sequence[ShapeBlend]) -> list[Alignment | None]:
 
 def _together(shapes: Sequence[ShapeBlend]) -> list[list[int]]:
     """Return groups of shapes with partners, by number, whose boxes overlap at both ends."""
-    from shapeblend_cli.geometry.grouping import grouped, overlaps
-
     matched = [k for k, shape in enumerate(shapes) if shape.is_matched]
     if not matched:
         return []
+    from shapeblend_cli.geometry.grouping import grouped, overlaps
+
     starts = [control_box([contour.start for contour in shapes[k].contours]) for k in matched]
     ends = [control_box([contour.end for contour in shapes[k].contours]) for k in matched]
     return [[matched[k] for k in group] for group in grouped(overlaps(starts) & overlaps(ends))]

@@ -5,10 +5,10 @@ It may import job, options, system, errors.
 
 from __future__ import annotations
 
-PROJECT = ".json"
+SUFFIX = ".json"
 """Suffix of projects."""
 
 
 def is_project(file: str) -> bool:
     """Return whether a file is a project, by its name."""
-    return file.lower().endswith(PROJECT)
+    return file.lower().endswith(SUFFIX)

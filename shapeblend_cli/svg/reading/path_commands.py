@@ -152,8 +152,8 @@ def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], GrammarErro
     arcs: list[Arc | None] = []
     error = None
     end = 0
-    seven = re.compile(_ARC)
-    while arc := seven.match(arguments, end):
+    pattern = re.compile(_ARC)
+    while arc := pattern.match(arguments, end):
         if not end and "," in arc[0][: arc.start(1)]:
             break
         rx, ry, rotation, x, y = (float(arc[k]) for k in (1, 2, 3, 6, 7))

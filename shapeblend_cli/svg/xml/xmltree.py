@@ -48,7 +48,9 @@ _SVG_NAMESPACES = (
 
 POINT_LISTS = frozenset(("path", "polyline", "polygon"))
 SHAPES = POINT_LISTS | {"rect", "circle", "ellipse", "line"}
-MARKED = POINT_LISTS | {"line"}  # elements that may have markers
+
+MARKED = POINT_LISTS | {"line"}
+"""Elements that may have markers."""
 
 GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
 """Elements that draw their children, or the element that they refer to."""
