@@ -146,7 +146,7 @@ def _finished(
     if are_plain:
         shapes = _special(*outlined, settings, view, usual)
     else:
-        from shapeblend_cli.blending.parts.faded import with_details_faded
+        from shapeblend_cli.blending.parts.faded import with_details_faded  # icons mostly have one colour
 
         shapes = with_details_faded(usual, view.larger_side)
     if may_swap:

@@ -61,7 +61,8 @@ def swapped(
 ) -> Shapes:
     """Return shapes of A that shrink to the centre of the view, below shapes of B that grow from it."""
     centre = view.centre
-    rooms = _rooms((a, b), centre)
+    leaving, coming = _rooms((a, b), centre)
+    paces = _leaving(leaving), _coming(coming)
 
     def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
         for number, members in groupby(contours, key=lambda contour: contour.shape):
@@ -74,7 +75,7 @@ def swapped(
                 *(styles[::-1] if here else styles),
                 reason=reason,
                 sources=(None, number) if here else (number, None),
-                pace=_coming(rooms[1]) if here else _leaving(rooms[0]),
+                pace=paces[here],
             )
 
     return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
