@@ -1,4 +1,5 @@
-"""The point from which a contour without a partner grows: its own middle, carried along by the contour around it.
+"""The point from which a contour without a partner grows: its own middle, carried along by the contour around it, or a
+point of what it touches.
 
 "Here" is the drawing with the contour, "there" the drawing without it. The contour grows from a point there while the
 paired contours, `MatchedPoints`, move from there to here on straight paths. A contour that shrinks does so in reverse.
@@ -11,13 +12,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import HOLE
 from shapeblend_cli.geometry.polygons import centroid, mean_value_weights, winding_numbers
-from shapeblend_cli.geometry.polyline import thin
-from shapeblend_cli.model import Box
+from shapeblend_cli.geometry.polyline import nearest_places, thin
+from shapeblend_cli.model import Box, Root
+from shapeblend_cli.pairing.riders import riders
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray
 
 TIMES = np.arange(1, 10) / 10
@@ -36,11 +40,47 @@ FALL = 4
 """Power of the distance with which the weight of a vertex falls for a point outside."""
 
 
+TOUCHING = 0.02
+"""Maximum distance of contours that touch, as a share of the drawing's diagonal."""
+
+GAP = 0.06
+"""Maximum gap between contours of one paint that belong together, as a share of the drawing's diagonal."""
+
+BESIDE = 0.2
+"""Maximum gap between a contour and one of another paint that it stands beside, as a share of its size."""
+
+EQUALLY_NEAR = 0.1
+"""Maximum difference of gaps that are equal, in distances of contours that touch."""
+
+CONTACTS = 48
+"""Number of points of a contour that may touch another one."""
+
+LEAST_HOST = 0.5
+"""Minimum area of a contour that carries another along, as a share of the other one's area."""
+
+NEARLY_ALL = 0.9
+"""Minimum share of points inside of a contour that lies in another."""
+
+
 class MatchedPoints(NamedTuple):
     """Corresponding vertices of a paired contour, (k,) complex each."""
 
     here: ComplexArray
     there: ComplexArray
+
+
+class Carrier(NamedTuple):
+    """A contour with a partner, and its vertices that correspond."""
+
+    contour: PlacedContour
+    points: MatchedPoints
+
+
+class Spot(NamedTuple):
+    """The point from which a contour without a partner grows, and where it is attached, if it is."""
+
+    point: complex
+    root: Root | None = None
 
 
 def nearest_paired(
@@ -116,3 +156,153 @@ def _share_inside(
             inside &= winding_numbers(growing, (1.0 - t) * other.there + t * other.here) == 0
         count += int(inside.sum())
     return count / (len(TIMES) * len(watched))
+
+
+def growth_points(
+    loose: Sequence[PlacedContour], contours: Sequence[PlacedContour], carriers: Sequence[Carrier]
+) -> dict[int, Spot]:
+    """Return the points from which exteriors and lines without a partner grow, by their numbers.
+
+    A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
+    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`. Strokes on
+    the edge of a fill without a partner go with it.
+    """
+    paired = {contour.number: points for contour, points in carriers}
+    areas = {contour.number: contour.area for contour in contours}
+    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
+    hosts.sort(key=lambda host: areas[host.number])
+    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
+    bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
+    spots: dict[int, Spot] = {}
+    beside: dict[int, PlacedContour] = {}
+    within: dict[int, int] = {}
+    seen: set[int] = set()
+    # The largest come first, so that each comes after the contours around it.
+    for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
+        middle = _middle(contour)
+        left, top, right, bottom = bounds.T
+        inside = (
+            (left <= middle.real) & (middle.real <= right) & (top <= middle.imag) & (middle.imag <= bottom)
+        )
+        for host in map(hosts.__getitem__, np.flatnonzero(inside)):
+            points = paired.get(host.number)
+            if points is None:
+                if host.number in seen and _lies_in(contour, host, touching):
+                    within[contour.number] = host.number
+                    break
+            elif (
+                areas[host.number] > LEAST_HOST * areas[contour.number]
+                and winding_numbers(np.array([middle]), host.polygon.vertices).any()
+            ):
+                spots[contour.number] = Spot(carried(middle, points, inside=True))
+                break
+        else:
+            beside[contour.number] = contour
+        seen.add(contour.number)
+    spots |= _points_of_contact(list(beside.values()), carriers, touching)
+    for number, host_number in within.items():
+        spots[number] = spots[host_number]
+    fills = {contour.number: contour for contour in loose}
+    for number, host_number in riders(loose, fills.keys()).items():
+        spot, nodes = spots[host_number], fills[host_number].contour.segments[:, 0]
+        spots[number] = Spot(spot.point, spot.root or Root(complex(nodes.mean()), host_number))
+    return spots
+
+
+def _points_of_contact(
+    beside: Sequence[PlacedContour], carriers: Sequence[Carrier], touching: float
+) -> dict[int, Spot]:
+    """Return the points from which contours without a partner grow that lie in no other, by their numbers.
+
+    A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
+    it touches most, and so stays in touch. A contour that touches such a contour grows with it, from the same point,
+    and so on. A closed one beside a paired one of its paint grows out of that, as a plume on a helmet. All others grow
+    from their middle.
+    """
+    from shapeblend_cli.anatomy.structure import along
+
+    outer = [carrier for carrier in carriers if carrier.contour.role != HOLE]
+    sides = [carrier.contour for carrier in outer]
+    samples = [along(contour.polygon, CONTACTS) for contour in beside]
+    spots: dict[int, Spot] = {}
+    for contour, points, near in zip(beside, samples, _near(beside, sides, touching), strict=True):
+        found = {k: _contacts(points, sides[k], touching) for k in near}
+        most = max(found, key=lambda k: len(found[k]), default=None)
+        if most is not None and len(found[most]):
+            middle = complex(np.concatenate(list(found.values())).mean())
+            point = carried(middle, outer[most].points, inside=False)
+            spots[contour.number] = Spot(point, Root(middle, contour.number))
+    neighbours = _near(beside, beside, touching)
+    leaders = [k for k, contour in enumerate(beside) if contour.number in spots]
+    while leaders:
+        leader = leaders.pop(0)
+        for k in neighbours[leader]:
+            if beside[k].number not in spots and len(_contacts(samples[k], beside[leader], touching)):
+                spots[beside[k].number] = spots[beside[leader].number]
+                leaders.append(k)
+    rest = [k for k, contour in enumerate(beside) if contour.number not in spots]
+    gap = GAP / TOUCHING * touching
+    for k, near in zip(rest, _near([beside[k] for k in rest], sides, gap), strict=True):
+        contour = beside[k]
+        alike = [m for m in near if sides[m].style.fill == contour.style.fill]
+        widest = gap if alike else min(gap, BESIDE * contour.box.larger_side)
+        others = [m for m in near if not contour.box.holds(np.array([sides[m].centre]))[0]]
+        hosts = [outer[m].points for m in alike or others]
+        place = (
+            _place_across(contour, samples[k], hosts, widest, touching) if contour.polygon.closed else None
+        )
+        spots[contour.number] = Spot(_middle(contour)) if place is None else place
+    return spots
+
+
+def _place_across(
+    contour: PlacedContour,
+    points: ComplexArray,
+    hosts: Sequence[MatchedPoints],
+    gap: float,
+    touching: float,
+) -> Spot | None:
+    """Return the place of the nearest host that faces points of a contour across a gap, carried along.
+
+    Of hosts that are equally near it is the mean. The root is the nearest of the points. None if all hosts are far.
+    """
+    apart = [np.abs(host.here[:, None] - points) for host in hosts]
+    nearest = min((float(each.min()) for each in apart), default=gap)
+    if nearest >= gap:
+        return None
+    near = [k for k, each in enumerate(apart) if each.min() <= nearest + EQUALLY_NEAR * touching]
+    places = [hosts[k].there[apart[k].min(axis=1) <= nearest + touching].mean() for k in near]
+    own = [points[apart[k].min(axis=0) <= nearest + touching].mean() for k in near]
+    return Spot(complex(np.mean(places)), Root(complex(np.mean(own)), contour.number))
+
+
+def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:
+    """Return for each contour the places of others whose boxes are within a distance of its own."""
+    p, q = (np.array([contour.box.bounds for contour in side]).reshape(-1, 4) for side in (some, others))
+    apart = np.maximum(q[:, :2] - p[:, None, 2:], p[:, None, :2] - q[:, 2:]).max(axis=2)
+    return [np.flatnonzero(row <= distance).tolist() for row in apart]
+
+
+def _contacts(points: ComplexArray, other: PlacedContour, touching: float) -> ComplexArray:
+    """Return the points of a contour that lie in another one, or within a distance of it."""
+    near = nearest_places(points, other.polygon.line)[0] <= touching
+    if other.polygon.closed and other.style.fill is not None:
+        near |= winding_numbers(points, other.polygon.vertices) != 0
+    return points[near]
+
+
+def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
+    """Return whether nearly all of a contour lies in another one, or within a distance of it."""
+    points, outline = thin(contour.polygon.vertices, WATCHED), host.polygon.vertices
+    inside = winding_numbers(points, outline) != 0
+    near = nearest_places(points, np.append(outline, outline[0]))[0] <= distance
+    return float((inside | near).mean()) >= NEARLY_ALL
+
+
+def _middle(contour: PlacedContour) -> complex:
+    """Return the centroid of a closed contour, or the mean of a line's points."""
+    vertices = contour.polygon.vertices
+    if contour.polygon.closed:
+        return centroid(vertices)
+    lengths = np.abs(np.diff(vertices))
+    return complex((lengths * (vertices[1:] + vertices[:-1])).sum() / (2.0 * lengths.sum()))

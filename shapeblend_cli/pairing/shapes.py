@@ -7,13 +7,19 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polygons import centroid, orientation, winding_numbers
-from shapeblend_cli.geometry.polyline import nearest_places, thin
+from shapeblend_cli.geometry.polygons import orientation, winding_numbers
+from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.model import Box, ContourBlend, Fade, Root, ShapeBlend, Style
 from shapeblend_cli.pairing.changes import Change, unchanged
-from shapeblend_cli.pairing.growth import WATCHED, MatchedPoints, carried, growth_point_inside, nearest_paired
+from shapeblend_cli.pairing.growth import (
+    Carrier,
+    MatchedPoints,
+    growth_point_inside,
+    growth_points,
+    nearest_paired,
+)
 from shapeblend_cli.pairing.paint_order import Overlaps, paint_places
-from shapeblend_cli.pairing.riders import Ride, ride, riders
+from shapeblend_cli.pairing.riders import Ride, ride
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
@@ -25,32 +31,11 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-TOUCHING = 0.02
-"""Maximum distance of contours that touch, as a share of the drawing's diagonal."""
-
-GAP = 0.06
-"""Maximum gap between contours of one paint that belong together, as a share of the drawing's diagonal."""
-
-BESIDE = 0.2
-"""Maximum gap between a contour and one of another paint that it stands beside, as a share of its size."""
-
-EQUALLY_NEAR = 0.1
-"""Maximum difference of gaps that are equal, in distances of contours that touch."""
-
-CONTACTS = 48
-"""Number of points of a contour that may touch another one."""
-
-LEAST_HOST = 0.5
-"""Minimum area of a contour that carries another along, as a share of the other one's area."""
-
 SAME_AXIS = 0.02
 """Maximum distance of the axes of two drawings that are one, as a share of a drawing's diagonal."""
 
 LEAST_PART_OF_HOLE = 1e-3
 """Minimum area of a part of a hole that is cut, as a share of the hole's area."""
-
-NEARLY_ALL = 0.9
-"""Minimum share of points inside of a contour that lies in another."""
 
 COVERED = {None: None, 0: Fade(0.0, 0.1, comes=True), 1: Fade(0.9, 1.0, comes=False)}
 """Fades of strokes that have strokes of A, 0, or B, 1, in their places: at that end only the latter are seen, since no
@@ -87,13 +72,6 @@ class _Group(NamedTuple):
     def sources(self) -> tuple[int | None, int | None]:
         """The shapes in A and B that are seen."""
         return None if self.covered_in == 0 else self.a, None if self.covered_in == 1 else self.b
-
-
-class _Spot(NamedTuple):
-    """The point from which a contour without a partner grows, and where it is attached, if it is."""
-
-    point: complex
-    root: Root | None = None
 
 
 class _Unmatched(NamedTuple):
@@ -209,7 +187,8 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
     points = [match.points(here) for match in outer]
     bounds = np.array([Box.around(one.here).bounds for one in points])
     loose = [contour for contour in contours if contour.number not in paired and contour.role != HOLE]
-    spots = _growth_points(loose, contours, matches, here) if loose else {}
+    carriers = [Carrier(match.pair[here], match.points(here)) for match in matches]
+    spots = growth_points(loose, contours, carriers) if loose else {}
     growing: dict[int, _Unmatched] = {}
     for contour in loose:
         near = [k for k, match in enumerate(outer) if match.pair[here].shape == contour.shape]
@@ -333,156 +312,6 @@ def _mirror_of_paired(side: Sequence[PlacedContour], paired: set[int]) -> Mirror
     ):
         return None
     return mirror
-
-
-def _growth_points(
-    loose: Sequence[PlacedContour], contours: Sequence[PlacedContour], matches: Sequence[Match], here: int
-) -> dict[int, _Spot]:
-    """Return the points from which exteriors and lines without a partner grow, by their numbers.
-
-    A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
-    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`. Strokes on
-    the edge of a fill without a partner go with it.
-    """
-    paired = {match.pair[here].number: match for match in matches}
-    areas = {contour.number: contour.area for contour in contours}
-    hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
-    hosts.sort(key=lambda host: areas[host.number])
-    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
-    bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
-    spots: dict[int, _Spot] = {}
-    beside: dict[int, PlacedContour] = {}
-    within: dict[int, int] = {}
-    seen: set[int] = set()
-    # The largest come first, so that each comes after the contours around it.
-    for contour in sorted(loose, key=lambda contour: (-areas[contour.number], contour.number)):
-        middle = _middle(contour)
-        left, top, right, bottom = bounds.T
-        inside = (
-            (left <= middle.real) & (middle.real <= right) & (top <= middle.imag) & (middle.imag <= bottom)
-        )
-        for host in map(hosts.__getitem__, np.flatnonzero(inside)):
-            match = paired.get(host.number)
-            if match is None:
-                if host.number in seen and _lies_in(contour, host, touching):
-                    within[contour.number] = host.number
-                    break
-            elif (
-                areas[host.number] > LEAST_HOST * areas[contour.number]
-                and winding_numbers(np.array([middle]), host.polygon.vertices).any()
-            ):
-                spots[contour.number] = _Spot(carried(middle, match.points(here), inside=True))
-                break
-        else:
-            beside[contour.number] = contour
-        seen.add(contour.number)
-    spots |= _points_of_contact(list(beside.values()), matches, here, touching)
-    for number, host_number in within.items():
-        spots[number] = spots[host_number]
-    fills = {contour.number: contour for contour in loose}
-    for number, host_number in riders(loose, fills.keys()).items():
-        spot, nodes = spots[host_number], fills[host_number].contour.segments[:, 0]
-        spots[number] = _Spot(spot.point, spot.root or Root(complex(nodes.mean()), host_number))
-    return spots
-
-
-def _points_of_contact(
-    beside: Sequence[PlacedContour], matches: Sequence[Match], here: int, touching: float
-) -> dict[int, _Spot]:
-    """Return the points from which contours without a partner grow that lie in no other, by their numbers.
-
-    A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
-    it touches most, and so stays in touch. A contour that touches such a contour grows with it, from the same point,
-    and so on. A closed one beside a paired one of its paint grows out of that, as a plume on a helmet. All others grow
-    from their middle.
-    """
-    from shapeblend_cli.anatomy.structure import along
-
-    outer = [match for match in matches if match.pair[here].role != HOLE]
-    sides = [match.pair[here] for match in outer]
-    samples = [along(contour.polygon, CONTACTS) for contour in beside]
-    spots: dict[int, _Spot] = {}
-    for contour, points, near in zip(beside, samples, _near(beside, sides, touching), strict=True):
-        found = {k: _contacts(points, sides[k], touching) for k in near}
-        most = max(found, key=lambda k: len(found[k]), default=None)
-        if most is not None and len(found[most]):
-            middle = complex(np.concatenate(list(found.values())).mean())
-            point = carried(middle, outer[most].points(here), inside=False)
-            spots[contour.number] = _Spot(point, Root(middle, contour.number))
-    neighbours = _near(beside, beside, touching)
-    leaders = [k for k, contour in enumerate(beside) if contour.number in spots]
-    while leaders:
-        leader = leaders.pop(0)
-        for k in neighbours[leader]:
-            if beside[k].number not in spots and len(_contacts(samples[k], beside[leader], touching)):
-                spots[beside[k].number] = spots[beside[leader].number]
-                leaders.append(k)
-    rest = [k for k, contour in enumerate(beside) if contour.number not in spots]
-    gap = GAP / TOUCHING * touching
-    for k, near in zip(rest, _near([beside[k] for k in rest], sides, gap), strict=True):
-        contour = beside[k]
-        alike = [m for m in near if sides[m].style.fill == contour.style.fill]
-        widest = gap if alike else min(gap, BESIDE * contour.box.larger_side)
-        others = [m for m in near if not contour.box.holds(np.array([sides[m].centre]))[0]]
-        hosts = [outer[m].points(here) for m in alike or others]
-        place = (
-            _place_across(contour, samples[k], hosts, widest, touching) if contour.polygon.closed else None
-        )
-        spots[contour.number] = _Spot(_middle(contour)) if place is None else place
-    return spots
-
-
-def _place_across(
-    contour: PlacedContour,
-    points: ComplexArray,
-    hosts: Sequence[MatchedPoints],
-    gap: float,
-    touching: float,
-) -> _Spot | None:
-    """Return the place of the nearest host that faces points of a contour across a gap, carried along.
-
-    Of hosts that are equally near it is the mean. The root is the nearest of the points. None if all hosts are far.
-    """
-    apart = [np.abs(host.here[:, None] - points) for host in hosts]
-    nearest = min((float(each.min()) for each in apart), default=gap)
-    if nearest >= gap:
-        return None
-    near = [k for k, each in enumerate(apart) if each.min() <= nearest + EQUALLY_NEAR * touching]
-    places = [hosts[k].there[apart[k].min(axis=1) <= nearest + touching].mean() for k in near]
-    own = [points[apart[k].min(axis=0) <= nearest + touching].mean() for k in near]
-    return _Spot(complex(np.mean(places)), Root(complex(np.mean(own)), contour.number))
-
-
-def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distance: float) -> list[list[int]]:
-    """Return for each contour the places of others whose boxes are within a distance of its own."""
-    p, q = (np.array([contour.box.bounds for contour in side]).reshape(-1, 4) for side in (some, others))
-    apart = np.maximum(q[:, :2] - p[:, None, 2:], p[:, None, :2] - q[:, 2:]).max(axis=2)
-    return [np.flatnonzero(row <= distance).tolist() for row in apart]
-
-
-def _contacts(points: ComplexArray, other: PlacedContour, touching: float) -> ComplexArray:
-    """Return the points of a contour that lie in another one, or within a distance of it."""
-    near = nearest_places(points, other.polygon.line)[0] <= touching
-    if other.polygon.closed and other.style.fill is not None:
-        near |= winding_numbers(points, other.polygon.vertices) != 0
-    return points[near]
-
-
-def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
-    """Return whether nearly all of a contour lies in another one, or within a distance of it."""
-    points, outline = thin(contour.polygon.vertices, WATCHED), host.polygon.vertices
-    inside = winding_numbers(points, outline) != 0
-    near = nearest_places(points, np.append(outline, outline[0]))[0] <= distance
-    return float((inside | near).mean()) >= NEARLY_ALL
-
-
-def _middle(contour: PlacedContour) -> complex:
-    """Return the centroid of a closed contour, or the mean of a line's points."""
-    vertices = contour.polygon.vertices
-    if contour.polygon.closed:
-        return centroid(vertices)
-    lengths = np.abs(np.diff(vertices))
-    return complex((lengths * (vertices[1:] + vertices[:-1])).sum() / (2.0 * lengths.sum()))
 
 
 def _hole_around(contour: PlacedContour, matches: Sequence[Match], here: int) -> Match | None:
