@@ -1,5 +1,4 @@
-"""The point from which a contour without a partner grows: its own middle, carried along by the contour around it, or a
-point of what it touches.
+"""The point from which a contour without a partner grows, carried along by contours with one: its middle, or a contact.
 
 "Here" is the drawing with the contour, "there" the drawing without it. The contour grows from a point there while the
 paired contours, `MatchedPoints`, move from there to here on straight paths. A contour that shrinks does so in reverse.
@@ -19,7 +18,7 @@ from shapeblend_cli.model import Box, Root
 from shapeblend_cli.pairing.riders import riders
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray
@@ -54,6 +53,13 @@ EQUALLY_NEAR = 0.1
 
 CONTACTS = 48
 """Number of points of a contour that may touch another one."""
+
+MOST_OF_GROUP = 0.25
+"""Maximum area of contours that touch and shrink as one, as a share of the drawing's box: more of them would be a small
+picture on another drawing."""
+
+WIDEST_GROUP = 0.9
+"""Maximum larger side of contours that touch and shrink as one, as a share of that of the drawing's box."""
 
 LEAST_HOST = 0.5
 """Minimum area of a contour that carries another along, as a share of the other one's area."""
@@ -164,14 +170,15 @@ def growth_points(
     """Return the points from which exteriors and lines without a partner grow, by their numbers.
 
     A contour inside another one without a partner grows from the same point, as a part of it. A contour whose middle
-    lies in a paired contour grows from there, carried along. Others stay in touch: see `_points_of_contact`. Strokes on
-    the edge of a fill without a partner go with it.
+    lies in a paired contour grows from there, carried along; several that touch as one, see `_as_groups`. Others stay
+    in touch: see `_points_of_contact`. Strokes on the edge of a fill without a partner go with it.
     """
     paired = {contour.number: points for contour, points in carriers}
     areas = {contour.number: contour.area for contour in contours}
     hosts = [c for c in contours if c.polygon.closed and (c.number in paired or c.role != HOLE)]
     hosts.sort(key=lambda host: areas[host.number])
-    touching = TOUCHING * Box.union([contour.box for contour in contours]).diagonal
+    drawn = Box.union([contour.box for contour in contours])
+    touching = TOUCHING * drawn.diagonal
     bounds = np.array([contour.box.bounds for contour in hosts]).reshape(-1, 4)
     spots: dict[int, Spot] = {}
     beside: dict[int, PlacedContour] = {}
@@ -199,20 +206,71 @@ def growth_points(
         else:
             beside[contour.number] = contour
         seen.add(contour.number)
-    spots |= _points_of_contact(list(beside.values()), carriers, touching)
+    inner = [contour for contour in loose if contour.number in spots]
+    spots |= _as_groups(inner, spots, drawn, touching)
+    spots |= _points_of_contact(list(beside.values()), inner, spots, carriers, touching)
     for number, host_number in within.items():
         spots[number] = spots[host_number]
     fills = {contour.number: contour for contour in loose}
     for number, host_number in riders(loose, fills.keys()).items():
-        spot, nodes = spots[host_number], fills[host_number].contour.segments[:, 0]
-        spots[number] = Spot(spot.point, spot.root or Root(complex(nodes.mean()), host_number))
+        spots[number] = _going_with(fills[host_number], spots[host_number])
     return spots
 
 
+def _going_with(contour: PlacedContour, spot: Spot) -> Spot:
+    """Return the spot of what goes with a contour, whose own one is given."""
+    return Spot(spot.point, spot.root or Root(complex(contour.contour.segments[:, 0].mean()), contour.number))
+
+
+def _as_groups(
+    contours: Sequence[PlacedContour], spots: Mapping[int, Spot], drawn: Box, touching: float
+) -> dict[int, Spot]:
+    """Return the spots of contours that touch a larger one, themselves or by others, and go with that, as one group.
+
+    A bow on a violin would come apart. Groups that are much of what is drawn do come apart.
+    """
+    found: dict[int, Spot] = {}
+    for first, *others in _groups(contours, touching):
+        group = [first, *others]
+        box = Box.union([contour.box for contour in group])
+        is_small = sum(contour.area for contour in group) <= MOST_OF_GROUP * drawn.area
+        if is_small and box.larger_side <= WIDEST_GROUP * drawn.larger_side:
+            found |= {other.number: _going_with(first, spots[first.number]) for other in others}
+    return found
+
+
+def _groups(contours: Sequence[PlacedContour], touching: float) -> Iterator[list[PlacedContour]]:
+    """Yield the contours that touch each other, themselves or by others, with the largest first."""
+    from shapeblend_cli.anatomy.structure import along
+
+    left = sorted(contours, key=lambda contour: (-contour.box.larger_side, contour.number))
+    samples = [along(contour.polygon, CONTACTS) for contour in left]
+    neighbours = _near(left, left, touching)
+
+    def touch(j: int, k: int) -> bool:
+        return any(len(_contacts(samples[m], left[n], touching)) for m, n in ((j, k), (k, j)))
+
+    free = set(range(len(left)))
+    while free:
+        group = [min(free)]
+        free.remove(group[0])
+        for k in group:  # which grows meanwhile
+            more = [m for m in neighbours[k] if m in free and touch(k, m)]
+            group += more
+            free.difference_update(more)
+        yield [left[k] for k in group]
+
+
 def _points_of_contact(
-    beside: Sequence[PlacedContour], carriers: Sequence[Carrier], touching: float
+    beside: Sequence[PlacedContour],
+    inner: Sequence[PlacedContour],
+    known: Mapping[int, Spot],
+    carriers: Sequence[Carrier],
+    touching: float,
 ) -> dict[int, Spot]:
     """Return the points from which contours without a partner grow that lie in no other, by their numbers.
+
+    The spots of `inner` ones are known.
 
     A contour that touches paired ones grows from the middle of the places where it does, carried along by the one that
     it touches most, and so stays in touch. A contour that touches such a contour grows with it, from the same point,
@@ -232,14 +290,15 @@ def _points_of_contact(
             middle = complex(np.concatenate(list(found.values())).mean())
             point = carried(middle, outer[most].points, inside=False)
             spots[contour.number] = Spot(point, Root(middle, contour.number))
-    neighbours = _near(beside, beside, touching)
-    leaders = [k for k, contour in enumerate(beside) if contour.number in spots]
+    leaders = [contour for contour in beside if contour.number in spots] + [*inner]
     while leaders:
         leader = leaders.pop(0)
-        for k in neighbours[leader]:
-            if beside[k].number not in spots and len(_contacts(samples[k], beside[leader], touching)):
-                spots[beside[k].number] = spots[beside[leader].number]
-                leaders.append(k)
+        spot = _going_with(leader, spots.get(leader.number) or known[leader.number])
+        (near,) = _near([leader], beside, touching)
+        for k in near:
+            if beside[k].number not in spots and len(_contacts(samples[k], leader, touching)):
+                spots[beside[k].number] = spot
+                leaders.append(beside[k])
     rest = [k for k, contour in enumerate(beside) if contour.number not in spots]
     gap = GAP / TOUCHING * touching
     for k, near in zip(rest, _near([beside[k] for k in rest], sides, gap), strict=True):

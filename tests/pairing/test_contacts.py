@@ -76,3 +76,20 @@ def test_wings_that_touch_a_body_differently_shrink_to_places_that_mirror_each_o
         contour.end.segments[0, 0] for shape in pair.shapes for contour in shape.contours if contour.a
     )
     assert one == pytest.approx(100.0 - other.conjugate(), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("parts", "are_one"),
+    [
+        (
+            ("M24 50H92V53H24Z", "M24 53H88V54H24Z", "M88 53H94V60H88Z"),
+            True,
+        ),  # a bow: the stick, the hair, the frog
+        (("M12 32H58V55H12Z", "M12 55H58V78H12Z"), False),  # most of what is drawn
+    ],
+)
+def test_small_shapes_that_touch_each_other_on_a_paired_one_shrink_as_one(parts, are_one):
+    pair = pair_of(drawing(BODY, *parts), drawing(NARROW), motion="linear", swap="never")
+    ends = [contour.end.segments[0, 0] for shape in pair.shapes for contour in shape.contours if contour.a]
+    assert len(ends) == len(parts)
+    assert (np.ptp(ends) == pytest.approx(0.0)) == are_one
