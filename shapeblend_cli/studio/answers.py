@@ -76,7 +76,8 @@ def _blend(order: Order) -> dict[str, Any]:
     return {
         "drawings": [_kept_drawing(drawing, k) for k, drawing in enumerate(drawings)],
         "pairs": [
-            _pair(pair, ends, maps, decimals) | {"parts": _parts(pair, drawings, settings)} for pair in pairs
+            _pair(pair, drawings, ends, maps, decimals) | {"parts": _parts(pair, drawings, settings)}
+            for pair in pairs
         ],
         "decimals": decimals,
         "timing": timing(job.output.timing, settings),
@@ -99,7 +100,10 @@ def _frames(spec: OutputSpec) -> int:
     return run_of(spec).steps - 1
 
 
-def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int) -> dict[str, Any]:
+def _pair(
+    pair: Pair, drawings: Sequence[Drawing], ends: Sequence[Frame], maps: Sequence[Any], decimals: int
+) -> dict[str, Any]:
+    counts = [sum(len(shape.contours) for shape in drawings[k].shapes) for k in (pair.a, pair.b)]
     numbers = [
         (k, n) for k, shape in enumerate(pair.shapes) if not shape.is_twin for n in range(len(shape.contours))
     ]
@@ -108,8 +112,8 @@ def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int)
     for contour, shape, (k, n) in zip(pair.contours, owners, numbers, strict=True):
         contours.append(
             {
-                "a": contour.a,
-                "b": contour.b,
+                "a": _shown_number(contour.a, contour.parents[0], counts[0]),
+                "b": _shown_number(contour.b, contour.parents[1], counts[1]),
                 "closed": contour.correspondence.closed,
                 "shape": k,
                 "outline": n,
@@ -129,6 +133,12 @@ def _pair(pair: Pair, ends: Sequence[Frame], maps: Sequence[Any], decimals: int)
         **picture(pair, (ends[pair.a], ends[pair.b]), (), decimals),
         "lists": lists,
     }
+
+
+def _shown_number(number: int | None, parent: int | None, count: int) -> int | None:
+    """Return the number of a contour as the page shows it: the inner edge of an expanded stroke has the stroke's."""
+    of_drawing = (one for one in (number, parent) if one is not None and one < count)
+    return None if number is None else next(of_drawing, None)
 
 
 def _parts(pair: Pair, drawings: Sequence[Drawing], settings: Settings) -> list[dict[str, Any]]:

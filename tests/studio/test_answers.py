@@ -93,6 +93,14 @@ def test_where_specks_are_left_out_parts_have_the_numbers_of_those_that_remain(h
     assert any("left out" in note for note in answer["notes"])
 
 
+def test_both_edges_of_a_stroke_that_becomes_a_fill_have_the_number_of_the_stroke(here):
+    (here / "a.svg").write_text(svg("M3 3H21V21H3Z", attributes='fill="none" stroke="#000" stroke-width="2"'))
+    (here / "b.svg").write_text(DRAWINGS["ring"])
+    answer = asked({"swap": "never"})
+    assert [len(drawing["contours"]) for drawing in answer["drawings"]] == [1, 2]
+    assert [(contour["a"], contour["b"]) for contour in answer["pairs"][0]["contours"]] == [(0, 0), (0, 1)]
+
+
 @pytest.mark.parametrize("what", ["blend", "others"])
 def test_a_mixture_is_refused_in_a_line_and_written_all_the_same(here, what):
     for name, drawing in {"a": "ring", "b": "eyed"}.items():

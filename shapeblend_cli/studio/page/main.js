@@ -305,7 +305,7 @@ const WRONG = 0.2; // fault of an outline on its way that is seen
 function pointAtFlaws() {
   const found = [];
   const name = (side, number) => `${panels[side].nameOf(number)} of ${side.toUpperCase()}`;
-  const add = (side, number, weight, tool, text) => found.push({ side, number, weight, tool, text });
+  const add = (side, number, weight, tool, text) => found.every((one) => one.text !== text) && found.push({ side, number, weight, tool, text });
   contours().forEach(({ a, b, wrong }) => {
     for (const [side, own, other] of [["a", a, b], ["b", b, a]]) {
       if (own === null || other !== null) continue;
