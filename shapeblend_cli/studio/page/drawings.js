@@ -11,6 +11,10 @@ const turned = (text) => text.replace(/^(.*?)([:=])(.*)$/, "$3$2$1");
 const swapped = (pair) => pair.replace(/^(\d+),(\d+)$/, "$2,$1");
 const OTHER_STYLE = { a: "b", b: "a" };
 
+// What can be opened.
+const isProject = ({ name }) => name.toLowerCase().endsWith(".json");
+export const isDrawing = ({ name, type }) => /\.svgz?$/i.test(name) || type === "image/svg+xml";
+
 // A timetable whose shapes by number are those of the other drawing; ids stay.
 function timed(text) {
   const other = (name) => name.replace(/^(B?)(\d+)$/, (_, side, number) => (side ? number : `B${number}`));
@@ -61,9 +65,16 @@ export class Drawings {
   }
 
   // Opens drawings, in the order in which they come, or a project; adds them to those there are, if that is wanted.
+  // What is something else is refused, and so is a single drawing in place of several: all would be gone.
   async take(files, isAdded = false) {
-    const [projects, drawings] = [true, false].map((isProject) => [...files].filter(({ name }) => name.toLowerCase().endsWith(".json") === isProject));
+    const projects = [...files].filter(isProject);
+    const drawings = [...files].filter((file) => !isProject(file));
+    const other = drawings.find((file) => !isDrawing(file));
     try {
+      if (other) throw new Error(`${other.name}: neither a drawing, .svg or .svgz, nor a project, .json`);
+      if (drawings.length === 1 && !projects.length && !isAdded && this.files.length > 1) {
+        throw new Error(`${drawings[0].name}: drawings are open already; dropped onto A or B it takes the place of that one, and two files take the place of all`);
+      }
       const names = [];
       for (const file of drawings) names.push(await this.given(file));
       if (projects.length) {

@@ -3,7 +3,7 @@
 import { at, copy, counted, made } from "./values.js";
 import { ALONE } from "./parts.js";
 import { ask, Latest } from "./asking.js";
-import { Drawings } from "./drawings.js";
+import { Drawings, isDrawing } from "./drawings.js";
 import { Exporting } from "./exporting.js";
 import { Form } from "./form.js";
 import { Others } from "./others.js";
@@ -448,8 +448,8 @@ function listenToDrops() {
     depth = 0;
     at("drop").hidden = true;
     const { files } = event.dataTransfer;
-    const panel = files.length === 1 && shown.answer ? Object.values(panels).find((one) => one.isOver(event)) : null;
-    if (panel && files[0].name.toLowerCase().endsWith(".svg")) drawings.replace(pairShown()?.[panel.side] ?? (panel.side === "a" ? 0 : 1), files[0]);
+    const panel = files.length === 1 && isDrawing(files[0]) ? Object.values(panels).find((one) => one.isOver(event)) : null;
+    if (panel) drawings.replace(pairShown()?.[panel.side] ?? (panel.side === "a" ? 0 : 1), files[0]);
     else drawings.take(files);
   });
 }

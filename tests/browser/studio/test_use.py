@@ -180,6 +180,23 @@ def test_drawings_are_dropped_and_blended(studio, here):
     assert command(page) == "shapeblend bird-1.svg bird-2.svg"
 
 
+def test_what_is_dropped_by_mistake_takes_no_work_away(studio, here):
+    page = studio("two.svg", "swapped.svg", match=["0=1"])
+    onto_b = screen(page, "b", (18, 17))
+    for name, place, why in (
+        ("readme.txt", onto_b, "neither a drawing, .svg or .svgz, nor a project, .json"),
+        ("picture.png", (5, 5), "neither a drawing"),
+        ("leaf.svg", (5, 5), "dropped onto A or B it takes the place of that one"),
+    ):
+        drop(page, {name: (here / "leaf.svg").read_text()}, place)
+        page.wait_for_selector(f"#broken-says:has-text('{name}: ')")
+        assert why in page.inner_text("#broken-says")
+        assert command(page) == "shapeblend two.svg swapped.svg --match 0=1"
+    changed(page, lambda: drop(page, {"leaf.svgz": (here / "leaf.svg").read_text()}, onto_b))
+    assert command(page) == "shapeblend two.svg leaf.svgz"
+    assert not page.is_visible("#broken")
+
+
 def drop(page, files, at=(200, 200)):
     """Drop files, by name with their texts."""
     page.evaluate(
