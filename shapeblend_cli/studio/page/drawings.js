@@ -4,7 +4,7 @@ import { at, made } from "./values.js";
 import { give } from "./asking.js";
 
 // Corrections are of the drawings that were; options stay.
-const OF_PLACES = { pin: null, match: null, stiff: null, start: null };
+const OF_PLACES = { pin: null, match: null, stiff: null, start: null, timing: null };
 
 // What says which place of A is which of B, the other way round.
 const turned = (text) => text.replace(/^(.*?)([:=])(.*)$/, "$3$2$1");

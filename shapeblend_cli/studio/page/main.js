@@ -198,7 +198,8 @@ const live = new Latest(async (project, isOld) => {
 });
 
 function show(answer, project) {
-  const isFirst = !shown.answer;
+  const isChain = answer.pairs.length > 1;
+  const isOther = !shown.answer || isChain !== shown.answer.pairs.length > 1;
   shown.answer = answer;
   if (project === history.present) at("command").textContent = answer.command;
   stage.show(answer);
@@ -208,7 +209,7 @@ function show(answer, project) {
   at("notes").replaceChildren(...answer.notes.filter((note) => !note.includes("in-betweens look poor")).map((note) => made("li", {}, note)));
   form.show(answer);
   pointAtFlaws();
-  if (isFirst) tools.hint();
+  if (isOther && !said.isPassing) tools.hint();
 }
 
 // The two drawings of a pair, in the colours of what becomes what.
@@ -217,8 +218,9 @@ function showPair(number) {
   const pair = pairs[number];
   const two = { a: drawings[pair.a], b: drawings[pair.b] };
   at("pair-row").hidden = pairs.length < 2;
-  if (at("pair").options.length !== pairs.length) {
-    at("pair").replaceChildren(...pairs.map(({ a, b }, k) => made("option", { value: k }, `${drawings[a].name} → ${drawings[b].name}`)));
+  const names = pairs.map(({ a, b }) => `${drawings[a].name} → ${drawings[b].name}`);
+  if (String(names) !== String([...at("pair").options].map(({ text }) => text))) {
+    at("pair").replaceChildren(...names.map((name, k) => made("option", { value: k }, name)));
   }
   at("pair").value = number;
   if (Object.entries(panels).some(([side, { key }]) => key !== two[side].key)) tools?.forget();

@@ -802,14 +802,17 @@ def test_rests_are_set_and_kept(studio):
 
 
 def test_drawings_are_added_to_a_chain_put_in_order_and_taken_away(studio, here):
-    page = studio("two.svg", "swapped.svg")
+    page = studio("two.svg", "swapped.svg", timing={"1": {"start": 0.5}})
     changed(page, lambda: page.set_input_files("#more", [here / "leaf.svg"]))
-    assert command(page) == "shapeblend two.svg swapped.svg leaf.svg"
+    assert command(page) == "shapeblend two.svg swapped.svg leaf.svg"  # bars are of the parts that were
+    assert "apply to two drawings" in page.inner_text("#says")
     unfold(page)
     changed(page, lambda: page.click("[aria-label='Earlier leaf.svg']"))
     assert command(page) == "shapeblend two.svg leaf.svg swapped.svg"
+    assert page.inner_text("#pair option:first-child") == "two.svg → leaf.svg"
     changed(page, lambda: page.click("[aria-label='Remove two.svg']"))
     assert command(page) == "shapeblend leaf.svg swapped.svg"
+    assert page.inner_text("#says").startswith("Click a part of A")
     assert page.locator("#chain button:disabled").count() == 3
 
 
