@@ -393,7 +393,7 @@ function listen() {
   at("notice-close").addEventListener("click", () => notice(null));
   at("halt").addEventListener("click", () => ask("halt").catch((error) => complain(error.message)));
   at("pair").addEventListener("change", () => stage.go(Number(at("pair").value) + 0.5));
-  at("show-parts").addEventListener("change", () => showPair(stage.pair));
+  at("show-parts").addEventListener("change", () => shown.answer && showPair(stage.pair));
   at("others-card").addEventListener("toggle", () => others.look());
   const zooms = [panels.a.zoom, panels.b.zoom, stage.zoom];
   zoomAll(zooms, () => tools.redraw());

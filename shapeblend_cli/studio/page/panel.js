@@ -34,7 +34,7 @@ export class Panel {
     this.layers = Object.fromEntries(["parts", "paper", "marks"].map((name) => [name, drawn("g", { class: name })]));
     canvas.append(...Object.values(this.layers));
     this.zoom = new Zoom(canvas, {
-      view: () => this.drawing.view,
+      view: () => this.drawing?.view,
       changed: () => {
         canvas.setAttribute("viewBox", this.zoom.box(this.drawing.view).join(" "));
         this.redraw?.();

@@ -22,7 +22,7 @@ export class Stage {
     });
     this.player.seek(0.5);
     this.zoom = new Zoom(at("drawing"), {
-      view: () => this.scenes[this.pair].view(this.player.t),
+      view: () => this.scenes[this.pair]?.view(this.player.t),
       changed: () => this.draw(),
       drags: () => true,
     });

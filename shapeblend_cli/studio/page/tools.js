@@ -287,7 +287,7 @@ export class Tools {
   // ---- by keys
 
   focus(panel) {
-    if (!panel.canvas.matches(":focus-visible")) return;
+    if (!panel.drawing || !panel.canvas.matches(":focus-visible")) return;
     this.isByKeys = true;
     this.cursor[panel.side] ??= { part: 0, node: 0 };
     this.tell(panel);
@@ -312,7 +312,7 @@ export class Tools {
   }
 
   key(panel, event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!panel.drawing || event.ctrlKey || event.metaKey || event.altKey) return;
     const way = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowDown: [0, 1], ArrowUp: [0, -1] }[event.key];
     if (way && this.picked) {
       this.nudge(...way.map((step) => step * (event.shiftKey ? 10 : 1)));

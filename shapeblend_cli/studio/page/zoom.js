@@ -7,7 +7,7 @@ const STEP = 1.5; // times, by a button or a key
 const STILL = 5; // pixels that a pointer moves in a click
 
 export class Zoom {
-  // `view` returns what is seen without it; `changed` is told of every change; `drags` whether a drag moves the drawing.
+  // `view` returns what is seen without it, nothing as long as no drawing is shown; `changed` is told of every change; `drags` whether a drag moves the drawing.
   constructor(canvas, { view, changed, drags }) {
     Object.assign(this, { canvas, view, changed, drags, factor: 1, centre: [0.5, 0.5], from: null });
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -35,6 +35,7 @@ export class Zoom {
   }
 
   go(factor, centre) {
+    if (!this.view()) return;
     const half = 0.5 / factor;
     this.factor = factor;
     this.centre = centre.map((c) => Math.min(Math.max(c, half), 1 - half));
@@ -50,6 +51,7 @@ export class Zoom {
   }
 
   wheel(event) {
+    if (!this.view()) return;
     if (event.ctrlKey || event.metaKey) {
       const { e, f } = this.canvas.getScreenCTM();
       const [x, y, width, height] = this.view();

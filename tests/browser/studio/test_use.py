@@ -465,11 +465,29 @@ def test_a_drawing_that_was_changed_elsewhere_is_seen(studio, here):
     assert page.get_attribute("#canvas-b .part", "d").startswith("M3,14")
 
 
-def test_a_drawing_that_cannot_be_read_is_said_at_once(studio, here):
+def test_a_drawing_that_cannot_be_read_is_said_at_once_and_nothing_breaks(studio, here):
     (here / "broken.svg").write_text("no drawing")
     page = studio("two.svg", "broken.svg")
     assert "broken.svg: " in page.inner_text("#broken")
     assert "--" not in page.inner_text("#command")
+    # There is nothing to enlarge, to point at or to colour yet.
+    page.keyboard.press("+")
+    page.click("#zoom-fit")
+    page.hover("#canvas-b")
+    page.keyboard.down("Control")
+    page.mouse.wheel(0, -100)
+    page.keyboard.up("Control")
+    page.focus("#canvas-a")
+    for key in ("Tab", "ArrowRight", "Enter", "2", "Shift+Tab", "ArrowDown"):
+        page.keyboard.press(key)
+    page.click("#show-parts")
+    # What is dropped onto B takes its place all the same.
+    box = page.locator("#canvas-b").bounding_box()
+    changed(
+        page, lambda: drop(page, {"new.svg": (here / "leaf.svg").read_text()}, (box["x"] + 9, box["y"] + 9))
+    )
+    assert command(page) == "shapeblend two.svg new.svg"
+    assert not page.is_visible("#broken")
 
 
 OPEN = "M3 3H21V12H3"  # filled, and not closed
