@@ -191,12 +191,12 @@ export class Form {
   exports() {
     at("format").append(...this.formats.map((format, k) => made("option", { value: k, title: format.help }, titleOf(format))));
     at("format").addEventListener("change", () => {
-      const { suffix, options, takes, takes_triggers: takesTriggers } = this.formats[Number(at("format").value)];
+      const { options, takes, takes_triggers: takesTriggers } = this.formats[Number(at("format").value)];
       const others = Object.keys(OF_FORMAT).filter((name) => !(name in takes));
       const old = this.app.get("output") ?? this.name;
       const stem = this.formats.map((format) => format.suffix).filter(Boolean)
         .reduce((text, each) => (text.toLowerCase().endsWith(each) ? text.slice(0, -each.length) : text), old);
-      this.app.change({ emit: null, format: null, ...Object.fromEntries(others.map((name) => [name, null])), ...(takesTriggers ? {} : { trigger: null }), ...options, output: stem + suffix }, "format");
+      this.app.change({ emit: null, format: null, ...Object.fromEntries(others.map((name) => [name, null])), ...(takesTriggers ? {} : { trigger: null }), ...options, output: this.named(stem) }, "format");
     });
     const own = Object.entries(OF_FORMAT).map(([name, text]) => {
       const option = this.options.get(name);
@@ -205,7 +205,10 @@ export class Form {
       at("of-format").append(...parts);
       return { name, parts };
     });
-    at("output").addEventListener("change", () => this.set("output", at("output").value.trim(), "name"));
+    at("output").addEventListener("change", () => {
+      at("output").value = at("output").value.trim() || this.named(this.name);
+      this.set("output", at("output").value, "name");
+    });
     at("frames").addEventListener("change", () => this.set("frames", at("frames").value === "" ? null : Number(at("frames").value), "number of in-betweens"));
     this.fields.push((answer) => {
       const output = this.app.get("output") ?? this.name;
@@ -221,6 +224,12 @@ export class Form {
       at("frames").value = this.app.get("frames") ?? "";
       at("frames").placeholder = answer?.frames ?? "";
     });
+  }
+
+  // The name of a file in the format that is chosen; it is not that of the project.
+  named(stem) {
+    const { name, suffix } = this.formats[Number(at("format").value)];
+    return stem + suffix === at("project").value ? `${stem}.${name}${suffix}` : stem + suffix;
   }
 
   // The number of the format that the options ask for.

@@ -588,6 +588,12 @@ def test_the_number_of_pictures_is_what_is_written(studio, here):
     page.click("#write")
     page.wait_for_selector("#written:has-text('Wrote blend.svg')")
     assert page.inner_text("#size").startswith(f"{len((here / 'blend.svg').read_bytes()) / 1e3:.3g} kB")
+    changed(page, lambda: choose_format(page, "Lottie"))
+    assert page.input_value("#output") == "blend.lottie.json"  # blend.json is the project
+    changed(page, lambda: choose_format(page, "Animated SVG"))
+    changed(page, lambda: (page.fill("#output", "other.svg"), page.keyboard.press("Enter")))
+    changed(page, lambda: (page.fill("#output", ""), page.keyboard.press("Enter")))
+    assert page.input_value("#output") == "blend.svg"
 
 
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
