@@ -244,7 +244,6 @@ function showPair(number) {
 // Says what is wrong, null for nothing, and marks the field that it is about.
 function complain(text) {
   said.wrong = text;
-  if (text) notice(null);
   at("broken").hidden = !text;
   const plain = (text ?? "").replace(/^the project: /, "");
   const name = /^(?:--)?([a-z][a-z-]*)(?=[: ])/.exec(plain)?.[1];

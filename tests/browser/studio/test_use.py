@@ -481,6 +481,10 @@ def test_a_drawing_that_cannot_be_read_is_said_at_once_and_nothing_breaks(studio
     for key in ("Tab", "ArrowRight", "Enter", "2", "Shift+Tab", "ArrowDown"):
         page.keyboard.press(key)
     page.click("#show-parts")
+    # It can be saved, and that is said.
+    changed(page, lambda: page.click("#save"))
+    assert page.inner_text("#notice-says").startswith("Saved blend.json")
+    assert page.is_visible("#broken")
     # What is dropped onto B takes its place all the same.
     box = page.locator("#canvas-b").bounding_box()
     changed(
