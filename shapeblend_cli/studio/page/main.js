@@ -309,7 +309,7 @@ function pointAtFlaws() {
   const add = (side, number, weight, tool, text) => found.every((one) => one.text !== text) && found.push({ side, number, weight, tool, text });
   contours().forEach(({ a, b, wrong }) => {
     for (const [side, own, other] of [["a", a, b], ["b", b, a]]) {
-      if (own === null || other !== null) continue;
+      if (own === null || other !== null || shown.answer.settings.swap === "always") continue;
       const { view } = panels[side].drawing;
       const share = panels[side].contours[own].area / (view[2] * view[3]);
       const verb = side === "a" ? "vanishes" : "comes from nothing";

@@ -674,6 +674,10 @@ def test_the_verdict_points_at_parts_and_what_helps(studio, here):
     spot = car["x"] + 0.5 * car["width"], car["y"] + 0.7 * car["height"]
     changed(page, lambda: page.mouse.click(*spot))
     assert "--match 0=11" in command(page)
+    page.click("#all-card summary")
+    changed(page, lambda: page.select_option("#option-swap", "always"))
+    assert page.get_attribute("#verdict", "data-is") != "right"
+    assert "pair it" not in page.inner_text("#places")  # nothing would come of it
 
 
 def test_an_easing_is_shaped_by_its_handles_and_played_beyond_the_drawings(studio):
