@@ -8,7 +8,7 @@ const OF_PLACES = { pin: null, match: null, stiff: null, start: null, timing: nu
 
 // What says which place of A is which of B, the other way round.
 const turned = (text) => text.replace(/^(.*?)([:=])(.*)$/, "$3$2$1");
-const swapped = (pair) => pair.replace(/^(\d+),(\d+)$/, "$2,$1");
+const swapped = (pair) => pair.replace(/^([^,]+),([^,]+)$/, "$2,$1");
 const OTHER_STYLE = { a: "b", b: "a" };
 
 // What can be opened.
@@ -109,7 +109,7 @@ export class Drawings {
     }
   }
 
-  // Everything the other way round; a stiff region is of A alone.
+  // Everything the other way round; a stiff region is of A alone, and of more than two drawings the first has its own rest.
   swap() {
     const { app } = this;
     const each = (name, turn) => (app.get(name) ?? []).map(turn);
@@ -119,6 +119,7 @@ export class Drawings {
       pin: each("pin", (text) => (text.includes(":") ? turned(text) : swapped(text))),
       stiff: null,
       start: app.get("start") ? swapped(app.get("start")) : null,
+      hold: app.get("hold") && app.isPair() ? swapped(app.get("hold")) : app.get("hold") ?? null,
       timing: app.get("timing") ? timed(app.get("timing")) : null,
       style: OTHER_STYLE[app.get("style")] ?? app.get("style") ?? null,
       "select-a": app.get("select-b") ?? null,

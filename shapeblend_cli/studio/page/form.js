@@ -68,12 +68,12 @@ export class Form {
     const rests = ["a", "b"].map((side) => at(`hold-${side}`));
     for (const input of rests) {
       input.addEventListener("change", () => {
-        const [first, other] = rests.map(({ value }) => Math.max(Number(value) || 0, 0));
+        const [first, other] = rests.map(({ value }) => Number(value));
         this.set("hold", first || other ? `${first},${other}` : null, "rest");
       });
     }
     this.fields.push((answer) => {
-      const hold = answer?.timing.hold ?? [0, 0];
+      const hold = (this.app.get("hold") ?? "0,0").split(",").map(Number);
       rests.forEach((input, k) => document.activeElement === input || (input.value = hold[k] || ""));
       const easing = this.app.get("ease") ?? "linear";
       this.curve.show(easing, answer?.timing.ease);

@@ -588,16 +588,16 @@ def test_the_number_of_pictures_is_what_is_written(studio, here):
     assert page.get_attribute("#frames", "placeholder") == "48"
     changed(page, lambda: choose_format(page, "Animated SVG"))
     assert not page.is_visible("#frames")
-    page.wait_for_selector("#size:has-text('kB')")
-    page.click("#write")
-    page.wait_for_selector("#written:has-text('Wrote blend.svg')")
-    assert page.inner_text("#size").startswith(f"{len((here / 'blend.svg').read_bytes()) / 1e3:.3g} kB")
     changed(page, lambda: choose_format(page, "Lottie"))
     assert page.input_value("#output") == "blend.lottie.json"  # blend.json is the project
     changed(page, lambda: choose_format(page, "Animated SVG"))
     changed(page, lambda: (page.fill("#output", "other.svg"), page.keyboard.press("Enter")))
     changed(page, lambda: (page.fill("#output", ""), page.keyboard.press("Enter")))
     assert page.input_value("#output") == "blend.svg"
+    page.wait_for_selector("#size:has-text('kB')")
+    page.click("#write")
+    page.wait_for_selector("#written:has-text('Wrote blend.svg')")
+    assert page.inner_text("#size").startswith(f"{len((here / 'blend.svg').read_bytes()) / 1e3:.3g} kB")
 
 
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
@@ -827,10 +827,18 @@ def test_parts_start_one_after_the_other_until_one_is_moved_by_hand(studio):
     assert "--timing" not in command(page)
 
 
-def test_rests_are_set_and_kept(studio):
+def test_rests_are_set_and_kept_and_wrong_ones_stay_and_are_said(studio):
     page = studio(*SAMPLES)
     changed(page, lambda: (page.fill("#hold-b", "1.5"), page.keyboard.press("Enter")))
     assert "--hold 0,1.5" in command(page)
+    changed(page, lambda: page.click("#swap"))
+    assert "--hold 1.5,0" in command(page)
+    changed(page, lambda: (page.fill("#hold-b", "-1"), page.keyboard.press("Enter")))
+    assert page.inner_text("#broken-says").startswith("--hold ")
+    page.locator("#hold-b").blur()
+    changed(page, lambda: page.select_option("#motion", "linear"))
+    assert page.is_visible("#broken")
+    assert page.input_value("#hold-b") == "-1"
 
 
 def test_drawings_are_added_to_a_chain_put_in_order_and_taken_away(studio, here):
