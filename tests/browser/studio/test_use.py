@@ -341,6 +341,11 @@ def test_on_a_phone_nothing_is_wider_than_the_screen_or_too_small_for_a_finger(s
     if files:
         page.wait_for_selector("#others:not([aria-busy]) button")
     assert page.evaluate("document.documentElement.scrollWidth") == 390
+    if files:
+        page.evaluate("document.getElementById('timeline-card').hidden = false")
+        menu = page.locator("#stagger-by")
+        wanted = "(menu) => { menu.style.flex = 'none'; return menu.offsetWidth; }"
+        assert menu.evaluate("(menu) => menu.offsetWidth") == menu.evaluate(wanted)
     small = page.evaluate(
         """[...document.querySelectorAll("button, select, a.button, summary, input:not([hidden]):not([type=checkbox])")]
         .map(e => [e.id || e.textContent, e.getBoundingClientRect()])
@@ -509,11 +514,16 @@ def test_filled_outlines_that_are_not_closed_are_coloured_and_clicked_inside(stu
 
 
 def test_what_is_pointed_at_is_told_on_both_sides(studio, here):
-    (here / "named.svg").write_text(svg(TWO[0], f'<path id="wheel" d="{TWO[1]}"/>'))
-    page = studio("named.svg", "swapped.svg")
+    name = f"{'named-' * 9}.svg"
+    (here / name).write_text(svg(TWO[0], f'<path id="wheel" d="{TWO[1]}"/>'))
+    page = studio(name, "swapped.svg")
     assert [page.inner_text(f"#count-{side}") for side in "ab"] == ["2 parts", "2 parts"]
     page.mouse.move(*screen(page, "a", (18, 18)))
     assert [page.inner_text(f"#count-{side}") for side in "ab"] == ["part 1 (wheel)", "part 1"]
+    # All of it can be read, whatever the drawing is called.
+    assert page.evaluate(
+        "(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth)(document.getElementById('count-a'))"
+    )
 
 
 def test_a_tool_is_changed_while_a_part_is_held(studio):
