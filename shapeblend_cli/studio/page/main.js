@@ -279,12 +279,13 @@ function refresh() {
   form.show(shown.answer);
   corrections();
   tools.redraw();
-  history.keep(session, { saved });
+  keep();
   live.want(present);
   others.look();
   if (present.files.length > 1) exporting.size(form.isSlow);
 }
 
+const keep = () => history.keep(session, { saved, theme: document.documentElement.dataset.theme });
 const isSaved = () => JSON.stringify(history.present) === saved;
 
 function step(way) {
@@ -380,6 +381,7 @@ function listen() {
   at("theme").addEventListener("click", () => {
     document.documentElement.dataset.theme = isDark() ? "light" : "dark";
     theme();
+    keep();
   });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", theme);
   for (const name of ["open", "empty-open"]) at(name).addEventListener("click", () => at("files").click());
@@ -467,7 +469,9 @@ async function begin() {
   const first = await ask("begin");
   session = first.session;
   history.present = first.project;
-  saved = history.restore(session)?.more.saved ?? (first.is_saved ? JSON.stringify(first.project) : "");
+  const kept = history.restore(session)?.more;
+  if (kept?.theme) document.documentElement.dataset.theme = kept.theme;
+  saved = kept?.saved ?? (first.is_saved ? JSON.stringify(first.project) : "");
   form = new Form(app, first);
   drawings = new Drawings(app, first.dropped);
   others = new Others(app);

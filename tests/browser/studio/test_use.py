@@ -578,12 +578,15 @@ def test_a_reload_loses_nothing_and_what_is_not_saved_is_said(studio, here):
     changed(page, lambda: page.mouse.click(*screen(page, "b", (18, 17))))
     asked = []
     page.on("dialog", lambda dialog: (asked.append(dialog.type), dialog.accept()))
+    page.click("#theme")
     for is_saved in (False, True):
+        colours = page.evaluate("document.documentElement.dataset.theme")
         assert page.is_visible("#unsaved") != is_saved
         page.reload()
         page.wait_for_selector("html[data-ready]")
         assert command(page).endswith("--match 0=1")
         assert asked == ["beforeunload"]  # of the first time alone
+        assert page.evaluate("document.documentElement.dataset.theme") == colours
         if not is_saved:
             page.click("#save")
             page.wait_for_selector("#notice:has-text('Saved blend.json')")
