@@ -90,6 +90,11 @@ export class Panel {
     return `part ${number}${id ? ` (${id})` : ""}`;
   }
 
+  // Whether a correction calls a part so.
+  isCalled(number, name) {
+    return /^\d+$/.test(name) ? Number(name) === number : name.replace(/^#/, "") === this.contours[number].id;
+  }
+
   mark(...elements) {
     this.layers.marks.replaceChildren(...elements);
   }

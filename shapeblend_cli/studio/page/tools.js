@@ -216,10 +216,11 @@ export class Tools {
     this.redraw();
   }
 
+  // What was said of either part gives way, by number or by id.
   pair({ a, b }) {
     const isSame = (text) => {
       const [one, other] = text.split("=");
-      return Number(one) === a || Number(other) === b;
+      return this.panels.a.isCalled(a, one) || this.panels.b.isCalled(b, other);
     };
     const others = (this.app.get("match") ?? []).filter((text) => text.includes(":") || !isSame(text));
     this.app.change({ match: [...others, `${a}=${b}`] }, "pair");

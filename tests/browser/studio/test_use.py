@@ -516,7 +516,7 @@ def test_filled_outlines_that_are_not_closed_are_coloured_and_clicked_inside(stu
 def test_what_is_pointed_at_is_told_on_both_sides(studio, here):
     name = f"{'named-' * 9}.svg"
     (here / name).write_text(svg(TWO[0], f'<path id="wheel" d="{TWO[1]}"/>'))
-    page = studio(name, "swapped.svg")
+    page = studio(name, "swapped.svg", match=["wheel=1"])
     assert [page.inner_text(f"#count-{side}") for side in "ab"] == ["2 parts", "2 parts"]
     page.mouse.move(*screen(page, "a", (18, 18)))
     assert [page.inner_text(f"#count-{side}") for side in "ab"] == ["part 1 (wheel)", "part 1"]
@@ -524,6 +524,10 @@ def test_what_is_pointed_at_is_told_on_both_sides(studio, here):
     assert page.evaluate(
         "(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth)(document.getElementById('count-a'))"
     )
+    # It is paired with another one instead, which is said by number.
+    page.mouse.click(*screen(page, "a", (18, 18)))
+    changed(page, lambda: page.mouse.click(*screen(page, "b", (6, 6))))
+    assert command(page).endswith(" swapped.svg --match 1=0")
 
 
 def test_a_tool_is_changed_while_a_part_is_held(studio):
