@@ -63,7 +63,9 @@ def _node(element: Element) -> list[Any]:
     """Return an element as its tag, its attributes, how they move, and its children or its text."""
     moves = [_move(child) for child in element if _tag(child).startswith("animate")]
     children = [_node(child) for child in element if not _tag(child).startswith("animate")]
-    return [_tag(element), dict(element.attrib), moves, children or (element.text or "").strip() or []]
+    # Those with a namespace, such as labels of Inkscape, say nothing to browsers, and setAttribute refuses them.
+    attributes = {name: value for name, value in element.attrib.items() if not name.startswith("{")}
+    return [_tag(element), attributes, moves, children or (element.text or "").strip() or []]
 
 
 def _move(animation: Element) -> list[Any]:

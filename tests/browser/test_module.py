@@ -183,6 +183,14 @@ def test_the_svg_element_of_a_page_keeps_its_name(module):
     )
 
 
+def test_labels_of_inkscape_are_left_out(module):
+    labels = '<svg xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape"', '<path inkscape:label="box"'
+    labelled = [each.replace("<svg", labels[0]).replace("<path", labels[1]) for each in PLACED]
+    page = module(labelled)
+    page.evaluate("blend.mount(document.querySelector('svg'))(1)")
+    assert page.evaluate("document.querySelector('path').getBBox().x") == 14
+
+
 def test_it_has_the_text_colour_of_its_page(module):
     page = module(SIZED)
     page.set_content('<body style="color: #06c"><svg></svg><shape-blend></shape-blend></body>')
