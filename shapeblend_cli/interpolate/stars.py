@@ -83,18 +83,22 @@ def reversed_in_time(chain: ContourChain) -> ContourChain:
 
 
 def _in_order(groups: Sequence[Places], pairs: Sequence[Pair]) -> list[Places]:
-    """Return groups in paint order: the first drawing's in its order, others directly above the group below them."""
-    by_place = {place: group for group in groups for place in group}
+    """Return groups about in paint order: the first drawing's in its order, others directly above what is below them.
+
+    Shapes that are one in some pair and several in another make groups that share a place.
+    """
+    by_place: dict[Place, list[Places]] = {}
+    for group in groups:
+        for place in group:
+            by_place.setdefault(place, []).append(group)
     ordered: list[Places] = []
     for k, pair in enumerate(pairs):
         below = -1
         for s in range(len(pair.shapes)):
-            group = by_place.get((k, s))
-            if group is None:
-                continue
-            if group not in ordered:
-                ordered.insert(below + 1, group)
-            below = ordered.index(group)
+            for group in by_place.get((k, s), ()):
+                if group not in ordered:
+                    ordered.insert(below + 1, group)
+                below = ordered.index(group)
     return ordered
 
 

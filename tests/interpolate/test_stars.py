@@ -1,0 +1,46 @@
+"""Several drawings at once: each state is its drawing."""
+
+import numpy as np
+import pytest
+
+from shapeblend_cli.interpolate.stars import star_shapes
+from shapeblend_cli.model import Frame
+from shapeblend_cli.options.settings import Settings
+from shapeblend_cli.outputs.formats import views
+from shapeblend_cli.pipeline import match_all
+from shapeblend_cli.svg.reading.read import read
+from shapeblend_cli.svg.writing.document import frame_svg
+from tests.support.drawings import svg
+from tests.support.pictures import difference, pixels
+
+LINE = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
+
+
+def stroked(*paths):
+    return svg(*paths, attributes=LINE)
+
+
+DRAWINGS = {
+    "one shape becomes several": [
+        stroked("m14 10l7-7m-1 7h-6V4M3 21l7-7m-6 0h6v6"),
+        stroked(
+            "M12 7v14m8-10v8a2 2 0 0 1-2 2H6a2 2 0 0 1-2-2v-8m3.5-4a1 1 0 0 1 0-5A4.8 8 0 0 1 12 7"
+            "a4.8 8 0 0 1 4.5-5a1 1 0 0 1 0 5",
+            "M4 7H20A1 1 0 0 1 21 8V10A1 1 0 0 1 20 11H4A1 1 0 0 1 3 10V8A1 1 0 0 1 4 7Z",
+        ),
+        stroked("M19 21v-2a4 4 0 0 0-4-4H9a4 4 0 0 0-4 4v2", "M16 7A4 4 0 1 1 8 7 4 4 0 1 1 16 7Z"),
+    ],
+}
+
+
+@pytest.mark.parametrize("drawings", DRAWINGS.values(), ids=DRAWINGS)
+def test_each_state_is_its_drawing(drawings):
+    alone = np.eye(len(drawings)).tolist()
+    settings = Settings(mix=[tuple(row) for row in alone], motion="linear", unmatched="point")
+    pairs, _ = match_all([read("a.svg", each.encode()) for each in drawings], settings)
+    shapes = star_shapes(pairs)
+    for weights, expected in zip(alone, drawings, strict=True):
+        # All paths, as states have them: a point with a stroke is a dot.
+        painted = [shape.keys[weights.index(1.0)] for shape in shapes]
+        shown = frame_svg(Frame(0.0, 0, tuple(painted), views(pairs)[0]), 3)
+        assert difference(pixels(shown), pixels(expected)) < 2e-3
