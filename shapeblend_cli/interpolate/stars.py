@@ -16,6 +16,7 @@ from shapeblend_cli.interpolate.contour_chains import (
     joined_at_end,
     reversed_chain,
 )
+from shapeblend_cli.interpolate.stacks import NOWHERE, stacked
 from shapeblend_cli.model import CubicPath, KeyframedShape, Name, PaintedShape, Pair, ShapeBlend, Style
 from shapeblend_cli.paint.names import common_groups
 from shapeblend_cli.paint.styles import blend_styles
@@ -23,7 +24,7 @@ from shapeblend_cli.paint.styles import blend_styles
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ContourBlend
+    from shapeblend_cli.model import ContourBlend, IntArray
 
     Place = tuple[int, int]  # numbers of a pair and of a shape in it
     Places = tuple[Place, ...]  # of shapes that are painted together
@@ -57,7 +58,9 @@ def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
         paths = [contour.start] * count
         paths[place[0] + 1] = contour.end
         groups.setdefault(group, []).append(paths)
-    return [_shape(group, groups[group], pairs) for group in _in_order(list(groups), pairs)]
+    ordered = _in_order(list(groups), pairs)
+    shapes = [_shape(group, groups[group], pairs) for group in ordered]
+    return stacked(shapes, _places(ordered, pairs))
 
 
 def _through_all(blends: dict[int, ContourBlend], count: int) -> Outline:
@@ -100,6 +103,23 @@ def _in_order(groups: Sequence[Places], pairs: Sequence[Pair]) -> list[Places]:
                     ordered.insert(below + 1, group)
                 below = ordered.index(group)
     return ordered
+
+
+def _places(groups: Sequence[Places], pairs: Sequence[Pair]) -> IntArray:
+    """Return the place of each group in the order of paint of each drawing."""
+    places = np.full((len(groups), len(pairs) + 1), NOWHERE)
+    twins = [{_ends(shape): s for s, shape in enumerate(pair.shapes) if shape.is_twin} for pair in pairs]
+    for row, group in zip(places, groups, strict=True):
+        for k, s in group:
+            if k == 0:
+                row[0] = s
+            row[k + 1] = twins[k].get(_ends(pairs[k].shapes[s]), s)
+    return places
+
+
+def _ends(shape: ShapeBlend) -> tuple[tuple[int | None, int | None], ...]:
+    """Return the numbers of the contours of a shape, which its twin has, too."""
+    return tuple((contour.a, contour.b) for contour in shape.contours)
 
 
 def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) -> KeyframedShape:

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.geometry.cubics import lines as segments_of
+from shapeblend_cli.interpolate.stacks import NOWHERE, stacked
 from shapeblend_cli.interpolate.stars import star_shapes
-from shapeblend_cli.model import Frame
+from shapeblend_cli.model import CubicPath, Frame, KeyframedShape, PaintedShape, Style
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.outputs.formats import views
 from shapeblend_cli.pipeline import match_all
@@ -20,6 +22,10 @@ def stroked(*paths):
     return svg(*paths, attributes=LINE)
 
 
+def filled(d, colour="#000"):
+    return f'<path fill="{colour}" d="{d}"/>'
+
+
 DRAWINGS = {
     "one shape becomes several": [
         stroked("m14 10l7-7m-1 7h-6V4M3 21l7-7m-6 0h6v6"),
@@ -29,6 +35,10 @@ DRAWINGS = {
             "M4 7H20A1 1 0 0 1 21 8V10A1 1 0 0 1 20 11H4A1 1 0 0 1 3 10V8A1 1 0 0 1 4 7Z",
         ),
         stroked("M19 21v-2a4 4 0 0 0-4-4H9a4 4 0 0 0-4 4v2", "M16 7A4 4 0 1 1 8 7 4 4 0 1 1 16 7Z"),
+    ],
+    "the order of paint changes": [
+        svg(filled("M2 2H16V16H2Z", "#f00"), filled("M8 8H22V22H8Z", "#00f")),
+        svg(filled("M8 8H22V22H8Z", "#00f"), filled("M2 2H16V16H2Z", "#f00")),
     ],
 }
 
@@ -44,3 +54,16 @@ def test_each_state_is_its_drawing(drawings):
         painted = [shape.keys[weights.index(1.0)] for shape in shapes]
         shown = frame_svg(Frame(0.0, 0, tuple(painted), views(pairs)[0]), 3)
         assert difference(pixels(shown), pixels(expected)) < 2e-3
+
+
+def test_each_drawing_is_painted_in_its_own_order():
+    colours = ["#f00", "#0f0", "#00f", "#ff0"]
+    square = CubicPath(segments_of(np.array([0, 9, 9 + 9j, 9j]), True), np.ones(4, np.bool_), True)
+    keys = [PaintedShape((square,), Style(fill=colour)) for colour in colours]
+    shapes = [KeyframedShape((key,) * 3, 0, ((),) * 2) for key in keys]
+    places = np.array([[0, 2, 1], [1, 1, 0], [2, 0, NOWHERE], [3, 3, 3]])
+    copies = stacked(shapes, places)
+    assert len(copies) == 6
+    for k, order in enumerate([(0, 1, 2, 3), (2, 1, 0, 3), (1, 0, 3)]):
+        seen = [copy.keys[k].style.fill for copy in copies if copy.keys[k].style.fill_opacity]
+        assert [colour for colour in seen if colours.index(colour) in order] == [colours[n] for n in order]
