@@ -170,6 +170,31 @@ def rolled_to(contour: ContourChain, position: float) -> ContourChain:
     )
 
 
+def opened(contour: ContourChain, place: complex) -> ContourChain:
+    """Open a closed contour at the node of its last outline that is nearest to a place."""
+    count, cuts = len(contour.end.segments), contour.end.cuts
+    first = int(np.abs(contour.end.segments[:, 0] - place).argmin())
+    position = cuts[0] + (first - cuts[0]) % count
+    k = min(int(np.searchsorted(cuts, position, side="right")), len(cuts) - 1) - 1
+    parts = [Part(n, 0.0, 1.0) for n in range(len(cuts) - 1)]
+    if min(position - cuts[k], cuts[k + 1] - position) > SAME:
+        u = _nearest_parameter(contour.stations[-1][k], contour.end.segments[first, 0])
+        parts[k : k + 1] = [Part(k, 0.0, u), Part(k, u, 1.0)]
+        cuts = np.insert(cuts, k + 1, position)
+    rolled = rolled_to(
+        contour._replace(
+            stations=[cut(station, parts) for station in contour.stations],
+            straight=contour.straight[[part.segment for part in parts]],
+            end=contour.end._replace(cuts=cuts),
+        ),
+        float(first),
+    )
+    end = rolled.end._replace(
+        segments=np.roll(rolled.end.segments, -first, axis=0), cuts=rolled.end.cuts - first
+    )
+    return rolled._replace(closed=False, end=end)
+
+
 def common_parts(
     segments: ComplexArray, cuts: FloatArray, others: ComplexArray, other_cuts: FloatArray
 ) -> tuple[list[Part], list[Part]]:

@@ -14,6 +14,7 @@ from shapeblend_cli.interpolate.contour_chains import (
     ContourChain,
     is_continued,
     joined_at_end,
+    opened,
     reversed_chain,
 )
 from shapeblend_cli.interpolate.stacks import NOWHERE, stacked
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
 def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     """Return shapes with a key for each drawing, given the pairs of the first drawing with each other one."""
     count = len(pairs) + 1
-    of_first: dict[int, dict[int, tuple[Place, ContourBlend]]] = {}
+    of_first: dict[int, dict[int, list[tuple[Place, ContourBlend]]]] = {}
     alone: list[tuple[Place, ContourBlend]] = []
     for k, pair in enumerate(pairs):
         for s, shape in enumerate(pair.shapes):
@@ -42,14 +43,15 @@ def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
                 if contour.a is None:
                     alone.append(((k, s), contour))
                 else:
-                    of_first.setdefault(contour.a, {})[k] = (k, s), contour
+                    pieces = of_first.setdefault(contour.a, {}).setdefault(k, [])
+                    pieces.append(((k, s), contour))
     groups: dict[Places, list[Outline]] = {}
     hosts: dict[
         Place, tuple[float, Places]
     ] = {}  # of each place the largest contour, and the group that it is in
-    for found in of_first.values():
+    for found in [found for pieces in of_first.values() for found in _whole_or_pieces(pieces)]:
         group = tuple(place for place, _ in found.values())
-        groups.setdefault(group, []).append(_through_all({k: c for k, (_, c) in found.items()}, count))
+        groups.setdefault(group, []).extend(_through_all({k: c for k, (_, c) in found.items()}, count))
         for place, contour in found.values():
             size = max(contour.scale_a, contour.scale_b)
             hosts[place] = max(hosts.get(place, (0.0, group)), (size, group), key=lambda host: host[0])
@@ -63,21 +65,63 @@ def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     return stacked(shapes, _places(ordered, pairs))
 
 
-def _through_all(blends: dict[int, ContourBlend], count: int) -> Outline:
-    """Return a contour of the first drawing in all drawings; in drawings without a partner it is as in the first."""
+def _whole_or_pieces(
+    found: dict[int, list[tuple[Place, ContourBlend]]],
+) -> list[dict[int, tuple[Place, ContourBlend]]]:
+    """Return a contour of the first drawing in each pair; if some pair cuts it, its pieces in one pair instead.
+
+    Strokes that follow the edge of a fill are cut where that is, and have no partner.
+    """
+    if all(len(pieces) == 1 for pieces in found.values()):
+        return [{k: pieces[0] for k, pieces in found.items()}]
+    k = min(found)
+    return [{k: piece} for piece in found[k]]
+
+
+def _through_all(blends: dict[int, ContourBlend], count: int) -> list[Outline]:
+    """Return a contour of the first drawing in all drawings; what cannot be one path in all is several contours.
+
+    A closed contour that is opened in some pair is open in all, with its ends in one place.
+    """
     (first, blend), *others = blends.items()
     chain = reversed_in_time(ContourChain.of(blend))
-    numbers = [first]
+    numbers, alone = [first], []
     for k, blend in others:
-        after = ContourChain.of(blend)
-        if not is_continued(chain, after):
+        own, after = _as_open(chain, ContourChain.of(blend))
+        if not is_continued(own, after):
             after = reversed_chain(after)
-        if is_continued(chain, after):
-            chain = joined_at_end(chain, after)
+        if is_continued(own, after):
+            chain = joined_at_end(own, after)
             numbers.append(k)
+        elif blend.b is not None:
+            alone.append(_alone(blend.end, k, count))
     *paths, here = (CubicPath(station, chain.straight, chain.closed) for station in chain.stations)
     by_number = dict(zip(numbers, paths, strict=True))
-    return [here, *(by_number.get(k, here) for k in range(count - 1))]
+    return [[here, *(by_number.get(k, _as_point(here)) for k in range(count - 1))], *alone]
+
+
+def _as_open(chain: ContourChain, after: ContourChain) -> tuple[ContourChain, ContourChain]:
+    """Open the one of two contours that is closed if the other, which has the same outline, is not.
+
+    The first has that outline at its end, and the second at its start.
+    """
+    if chain.closed and not after.closed:
+        return opened(chain, after.start.segments[0, 0]), after
+    if after.closed and not chain.closed:
+        return chain, reversed_in_time(opened(reversed_in_time(after), chain.end.segments[0, 0]))
+    return chain, after
+
+
+def _alone(path: CubicPath, pair: int, count: int) -> Outline:
+    """Return a contour that only the second drawing of a pair has."""
+    outline = [_as_point(path)] * count
+    outline[pair + 1] = path
+    return outline
+
+
+def _as_point(path: CubicPath) -> CubicPath:
+    """Return a path of the same commands that is a point in its middle."""
+    return CubicPath(np.full_like(path.segments, path.segments[:, 0].mean()), path.straight, path.closed)
 
 
 def reversed_in_time(chain: ContourChain) -> ContourChain:
@@ -129,12 +173,28 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
     for number in range(len(pairs) + 1):
         blend = blends.get(number - 1)
         style = _style(first, 0) if blend is None else _style(blend, 1)
-        keys.append(PaintedShape(tuple(outline[number] for outline in outlines), style))
+        keys.append(_without_dots([outline[number] for outline in outlines], style))
     groups = first.groups
     for blend in blends.values():
         groups = common_groups(groups, blend.groups)
     name = Name.common([name for blend in blends.values() for name in blend.names] or [Name()])
     return KeyframedShape(tuple(keys), 0, ((),) * len(pairs), (), name, groups)
+
+
+def _without_dots(paths: Sequence[CubicPath], style: Style) -> PaintedShape:
+    """Return painted paths, of which points lie on the stroke of the others, if it is seen: caps make them dots."""
+    drawn = [path.segments for path in paths if not path.is_point]
+    if not drawn:
+        return PaintedShape(tuple(paths), style._replace(stroke_width=0.0) if style.reach else style)
+    if not style.reach or not style.stroke_opacity:
+        return PaintedShape(tuple(paths), style)
+    middles = np.concatenate(drawn) @ np.array([0.125, 0.375, 0.375, 0.125])
+
+    def moved(path: CubicPath) -> CubicPath:
+        nearest = middles[np.abs(middles - path.segments[0, 0]).argmin()]
+        return CubicPath(np.full_like(path.segments, nearest), path.straight, path.closed)
+
+    return PaintedShape(tuple(moved(path) if path.is_point else path for path in paths), style)
 
 
 def _style(blend: ShapeBlend, end: int) -> Style:

@@ -26,6 +26,8 @@ def filled(d, colour="#000"):
     return f'<path fill="{colour}" d="{d}"/>'
 
 
+HEART = "M12 21 3 12 4 5 9 4 12 7 15 4 20 5 21 12Z"
+ROUND = "M12 3A9 9 0 1 0 12 21 9 9 0 1 0 12 3Z"
 DRAWINGS = {
     "one shape becomes several": [
         stroked("m14 10l7-7m-1 7h-6V4M3 21l7-7m-6 0h6v6"),
@@ -36,9 +38,24 @@ DRAWINGS = {
         ),
         stroked("M19 21v-2a4 4 0 0 0-4-4H9a4 4 0 0 0-4 4v2", "M16 7A4 4 0 1 1 8 7 4 4 0 1 1 16 7Z"),
     ],
+    "open in one pair and closed in the next": [
+        svg(filled(HEART)),
+        stroked("M3 19 12 4 21 19"),
+        svg(filled(ROUND)),
+    ],
+    "closed in one pair and open in others": [
+        svg(filled("M4 4H20V20H4Z M8 8V10H10V8Z")),
+        svg(filled(ROUND)),
+        stroked("M3 19 12 4 21 19M12 11V15"),
+        stroked("M20 20H4V5H14"),
+    ],
     "the order of paint changes": [
         svg(filled("M2 2H16V16H2Z", "#f00"), filled("M8 8H22V22H8Z", "#00f")),
         svg(filled("M8 8H22V22H8Z", "#00f"), filled("M2 2H16V16H2Z", "#f00")),
+    ],
+    "the line around a fill is cut": [
+        svg(filled(HEART, "#fac"), f'<path {LINE} d="{HEART}"/>'),
+        svg(filled(ROUND, "#fe0"), f'<path {LINE} d="M12 3A9 9 0 1 0 12 21"/>'),
     ],
 }
 
