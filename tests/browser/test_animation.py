@@ -334,10 +334,8 @@ def test_it_rests_at_each_drawing(here, draw, method, repeat):
     for name, more in (("moves", []), ("rests", ["--hold", "1,2"])):
         assert run(["a.svg", "b.svg", "-o", f"{name}.svg", *asked, "--repeat", repeat, *more]) == 0
     moves, rests = (Path(f"{name}.svg").read_text("utf-8") for name in ("moves", "rests"))
-    # Of CSS animations that alternate, half a rest is at each side of where they turn round.
-    lead = 0.5 if (method, repeat) == ("css", "pingpong") else 1.0
-    times = [(lead - 0.2, 0.0), (lead + 0.4, 0.4), (lead + 1.2, 0.999), (lead + 2.8, 0.999)]
-    times += [(lead + 3.6, 1.6)] if repeat == "pingpong" else []
+    times = [(0.8, 0.0), (1.4, 0.4), (2.2, 0.999), (3.8, 0.999)]
+    times += [(4.6, 1.6)] if repeat == "pingpong" else []
     pixels = draw([cell for rest, move in times for cell in ((rests, rest), (moves, move))])
     for moving, still, time in zip(pixels[::2], pixels[1::2], times, strict=True):
         assert np.abs(moving - still).mean() < 0.005, time

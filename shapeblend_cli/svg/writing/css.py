@@ -267,7 +267,9 @@ class _Clock(NamedTuple):
         """How long it takes, and how often it runs."""
         endless: dict[int | str, str] = {FOREVER: "infinite", PINGPONG: "infinite alternate"}
         times = endless.get(self.timing.repeat, f"{self.timing.repeat} forwards")
-        wait = f" {number(self.timing.delay, 4)}s" if self.timing.delay else ""
+        # The first half of the first rest is in no run.
+        delay = self.timing.delay + self.timing.seconds * self.begin
+        wait = f" {number(delay, 4)}s" if delay else ""
         return f"{number(self.timing.seconds * (self.end - self.begin), 4)}s{wait} {times}"
 
     def share(self, time: float) -> float:
