@@ -199,7 +199,7 @@ class Clips:
         self, child: Node, declared: Declarations, matrix: Affine, lengths: Lengths
     ) -> list[Contour]:
         """Return the contours of a shape in a region, closed, in the root's coordinates."""
-        found = contours_of(child, declared, lengths, self._notes, self._lenient)
+        found = contours.with_length(contours_of(child, declared, lengths, self._notes, self._lenient))
         self._segments += sum(len(contour.segments) for contour in found)
         check_limit(self._segments, MAX_SEGMENTS, "segments of clip paths")
         return [_closed(contours.transform(contour, matrix)) for contour in found]

@@ -17,12 +17,15 @@ from shapeblend_cli.svg.xml.units import LEAST
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import ComplexArray, Style
 
 Segment = tuple[complex, ...]  # the four control points of a cubic
 _CLOSE = 1e-9  # ends closer than this share of the largest coordinate coincide
 _NO_LENGTH = 1e-12  # a segment smaller than this share of the largest coordinate is rounding
 _MAX_ARC = math.radians(45)  # a cubic over this angle is off its circle by 4e-6 of the radius
+
+DOT = 0.002
+"""Length of the line that stands for a dot, a stroked subpath without length, as a share of the width of the stroke."""
 
 
 def line(start: complex, end: complex) -> Segment:
@@ -37,7 +40,7 @@ def quadratic(start: complex, control: complex, end: complex) -> Segment:
 
 
 def chain(segments: list[Segment], straight: list[bool], closed: bool) -> Contour | None:
-    """Return the contour of one subpath, or None when nothing of it has a length.
+    """Return the contour of one subpath, a point when nothing of it has a length; None when there is nothing of it.
 
     Each segment begins where the one before it ends. A `closed` subpath ends in ``Z``; its ends need not coincide.
     """
@@ -52,12 +55,17 @@ def chain(segments: list[Segment], straight: list[bool], closed: bool) -> Contou
         points = np.concatenate([points, [line(last, first)]])
         flags = np.append(flags, True)
     kept = np.abs(points[:, 1:] - points[:, :1]).max(axis=1) > _NO_LENGTH * size
+    if not kept.any():
+        return point(first)
     if not kept.all():
         points, flags = points[kept], flags[kept]
-    if not len(points):
-        return None
     closed = closed or gap <= _CLOSE * size
     return Contour(_join(points, closed), flags, closed)
+
+
+def point(place: complex) -> Contour:
+    """Return a contour that is a point."""
+    return Contour(np.array([line(place, place)]), np.ones(1, np.bool_), closed=True)
 
 
 def transform(contour: Contour, matrix: Affine) -> Contour:
@@ -67,8 +75,21 @@ def transform(contour: Contour, matrix: Affine) -> Contour:
     return Contour(_join(matrix.points(contour.segments), contour.closed), contour.straight, contour.closed)
 
 
-def placed(contour: Contour, matrix: Affine) -> Contour | None:
-    """Return a contour in the root's coordinates, or None if it is a point there."""
+def with_length(found: list[Contour]) -> list[Contour]:
+    """Return contours without those that are points."""
+    return [contour for contour in found if not _is_dot(contour)]
+
+
+def placed(found: Sequence[Contour], matrix: Affine, style: Style) -> list[Contour]:
+    """Return contours in the root's coordinates, without those that are points there and that no stroke paints."""
+    cap = style.stroke_width if style.stroke is not None and style.stroke_linecap != "butt" else 0.0
+    each_placed = (_placed(contour, matrix, cap) for contour in found)
+    return [contour for contour in each_placed if contour is not None]
+
+
+def _placed(contour: Contour, matrix: Affine, cap: float) -> Contour | None:
+    if _is_dot(contour):
+        return _dot(contour, matrix, cap) if cap else None
     found = transform(contour, matrix)
     parts = np.ascontiguousarray(found.segments).view(float)
     is_small = np.abs(parts) < LEAST
@@ -76,6 +97,23 @@ def placed(contour: Contour, matrix: Affine) -> Contour | None:
         return found
     parts = np.where(is_small, 0.0, parts)
     return Contour(parts.view(np.complex128), found.straight, found.closed) if parts.any() else None
+
+
+def _is_dot(contour: Contour) -> bool:
+    return len(contour.segments) == 1 and contour.is_point
+
+
+def _dot(contour: Contour, matrix: Affine, cap: float) -> Contour:
+    """Return the dot of two caps as a line, which is too short to be seen as one.
+
+    So icons draw their dots themselves, as ``h.01``. Whatever measures, matches and moves lines does so with these,
+    while a filled outline would be no line to become another one. It is upright, with which square caps are as they
+    are along the x axis, and the dot of a question mark becomes the stem of an i.
+    """
+    centre = complex(matrix.points(contour.segments[0, 0]))
+    along = complex(matrix.c, matrix.d)
+    half = DOT / 2.0 * cap * along / abs(along)
+    return Contour(np.array([line(centre - half, centre + half)]), np.ones(1, np.bool_), closed=False)
 
 
 def check_size(drawn: int, added: Sequence[Contour]) -> None:

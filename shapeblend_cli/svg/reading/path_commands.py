@@ -170,7 +170,7 @@ def _read_arcs(match: re.Match[str]) -> tuple[str, list[Arc | None], GrammarErro
 
 
 def trace(subpaths: list[Subpath]) -> list[Contour]:
-    """Return the contours of checked subpaths; one that has no length is left out.
+    """Return the contours of checked subpaths; one that has no length is a point.
 
     Raise TooManySegments here too: an arc is several cubics, so their number is known only now.
     """
@@ -189,6 +189,8 @@ def trace(subpaths: list[Subpath]) -> list[Contour]:
             if contour is not None:
                 traced.append(contour)
             position = path[-1].end
+        elif subpath.closed:
+            traced.append(contours.point(start))
         if subpath.closed:
             position = start
     return traced

@@ -355,9 +355,7 @@ class Walk:
         own_contours = make()
         self._segments += sum(len(contour.segments) for contour in own_contours)
         check_limit(self._segments, MAX_SEGMENTS, "segments")
-        placed = [
-            each for contour in own_contours if (each := contours.placed(contour, visit.matrix)) is not None
-        ]
+        placed = contours.placed(own_contours, visit.matrix, style)
         if not placed:
             return "without extent"
         index, self._painted = self._painted, self._painted + 1
@@ -481,7 +479,7 @@ class Walk:
         declared = self._cascade.declared(target, keep=True)
         matrix = parse(declared.get("transform", "none")) or IDENTITY
         found = contours_of(target, declared, visit.lengths, self._notes, self._lenient)
-        return tuple(contours.transform(contour, matrix) for contour in found)
+        return tuple(contours.transform(contour, matrix) for contour in contours.with_length(found))
 
     def _contours(self, visit: _Visit, declared: Declarations) -> list[Contour]:
         node = visit.node

@@ -48,6 +48,26 @@ def test_properties_of_a_style(markup, expected):
     assert {name: getattr(painted, name) for name in expected} == expected
 
 
+DOTS = {
+    "path": '<path d="M1 1h4M5 5h0m2 2z"/>',
+    "line": '<line x1="5" y1="5" x2="5" y2="5"/>',
+    "polyline": '<polyline points="5 5 5 5"/>',
+}
+
+
+@pytest.mark.parametrize(
+    ("markup", "cap"), [(each, cap) for each in DOTS.values() for cap in ("round", "butt")]
+)
+def test_what_has_no_length_is_a_dot_of_two_caps(markup, cap):
+    around = f'<g transform="rotate(90)" fill="none" stroke="#000" stroke-width="2" stroke-linecap="{cap}">'
+    shapes = drawn(f"{RECT}{around}{markup}</g>").shapes
+    lines = [contour.segments[0] for shape in shapes[1:] for contour in shape.contours]
+    dots = [line for line in lines if 0 < abs(line[3] - line[0]) < 0.01]
+    assert [round(line.mean().real) for line in dots] == (
+        [] if cap == "butt" else [-5, -7][: 1 + ("z" in markup)]
+    )
+
+
 NOT_PAINTED = {
     "defs": "<defs>{}</defs>",
     "symbol": "<symbol>{}</symbol>",

@@ -34,7 +34,7 @@ DATA = {
     "point before the exponent": ("M1.e1 2.L0,0", [[10 + 2j, 0]]),
     "blanks and commas": ("\n\tM 0 , 0\r\nL1,1 , 2 2 ", [[0, 1 + 1j, 2 + 2j]]),
     "comma at the end": ("M0 0,L1 1,", [[0, 1 + 1j]]),
-    "no length": ("M5 5M6 6zM1 1h0L1 1h1h0v1", [[1 + 1j, 2 + 1j, 2 + 2j]]),
+    "no length": ("M5 5M6 6zM1 1h0L1 1h1h0v1M3 3h0", [[6 + 6j] * 2, [1 + 1j, 2 + 1j, 2 + 2j], [3 + 3j] * 2]),
     "zero radius": ("M0 0A0 5 0 0 1 4 4", [[0, 4 + 4j]]),
     "arc with coincident ends": ("M0 0h1A5 5 0 1 1 1 0v1a2 2 0 0 0 0 0", [[0, 1, 1 + 1j]]),
     "nothing": ("", []),
