@@ -15,7 +15,7 @@ from shapeblend_cli.model import Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
-from shapeblend_cli.svg.styles.cascade import INITIAL, inherit, share
+from shapeblend_cli.svg.styles.cascade import in_force, share
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto, parse, translation
 from shapeblend_cli.svg.xml.units import length
@@ -58,12 +58,16 @@ class _Painted(NamedTuple):
 class Clips:
     """The clip paths of a document, whose nodes it knows by their ids."""
 
-    def __init__(self, ids: dict[str, Node], cascade: Cascade, notes: Notes, lenient: bool) -> None:
+    def __init__(
+        self, root: Node, ids: dict[str, Node], cascade: Cascade, notes: Notes, lenient: bool
+    ) -> None:
+        self._root = root
         self._ids = ids
         self._cascade = cascade
         self._notes = notes
         self._lenient = lenient
         self._known: dict[tuple[int, Affine], tuple[Clip, ...]] = {}
+        self._parents: dict[int, Node] = {}
         self._soft: set[int] = set()
         self._segments = 0
 
@@ -136,7 +140,7 @@ class Clips:
     def _shown(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
         """Return what a mask shows: the inside of its shapes, or of white ones, and the outside of each black one."""
         declared = self._cascade.declared(node)
-        painted = list(self._painted(node, inherit(INITIAL, declared, self._notes.add), matrix, lengths))
+        painted = list(self._painted(node, self._in_force(node), matrix, lengths))
         shown, hidden = painted, list[_Painted]()
         if declared.get("mask-type", "luminance").strip() != "alpha":
             shown = [each for each in painted if each.colour == WHITE]
@@ -158,9 +162,8 @@ class Clips:
     ) -> Iterator[_Painted]:
         """Yield the shapes below an element of a mask, in the root's coordinates."""
         for each in node.children:
-            child, declared, inner = self._placed(each, matrix, lengths)
-            inherited = inherit(around, declared, self._notes.add)
-            if child.tag in ("title", "desc", "defs", "style") or _is_hidden(declared):
+            child, declared, inherited, inner = self._placed(each, around, matrix, lengths)
+            if child.tag in ("title", "desc", "defs", "style") or _is_hidden(declared, inherited):
                 continue
             opacity = share(declared.get("opacity", "1"))
             if opacity != 1.0 or any(
@@ -183,17 +186,32 @@ class Clips:
             assert colour is not None  # as it is opaque
             yield _Painted(self._closed_in(child, declared, inner, lengths), colour.rgb, inherited.fill_rule)
 
-    def _placed(self, child: Node, matrix: Affine, lengths: Lengths) -> tuple[Node, Declarations, Affine]:
-        """Return an element of a region, or what it uses, its declarations, and the map to the root's coordinates."""
+    def _in_force(self, node: Node) -> Inherited:
+        """Return what a region hands on to its elements, of its own and of what is around it where it is defined."""
+        if not self._parents:
+            self._parents = {id(child): each for each in self._root.walk() for child in each.children}
+        path = [node]
+        while id(path[-1]) in self._parents:
+            path.append(self._parents[id(path[-1])])
+        # The walk tells what cannot be read around regions.
+        around = in_force(self._cascade, reversed(path[1:]), lambda phrase: None)
+        return in_force(self._cascade, (node,), self._notes.add, around)
+
+    def _placed(
+        self, child: Node, around: Inherited, matrix: Affine, lengths: Lengths
+    ) -> tuple[Node, Declarations, Inherited, Affine]:
+        """Return an element of a region, or what it uses, its style, and the map to the root's coordinates."""
         declared = self._cascade.declared(child)
+        inherited = in_force(self._cascade, (child,), self._notes.add, around)
         inner = matrix @ (parse(child.get("transform") or "none") or IDENTITY)
         if child.tag == "use":
             inner = inner @ translation(*viewports.offset(child, lengths))
             used = self._ids.get(child.link().strip().removeprefix("#"))
             child = used if used is not None else child
             declared = {**declared, **self._cascade.declared(child)}
+            inherited = in_force(self._cascade, (child,), self._notes.add, inherited)
             inner = inner @ (parse(child.get("transform") or "none") or IDENTITY)
-        return child, declared, inner
+        return child, declared, inherited, inner
 
     def _closed_in(
         self, child: Node, declared: Declarations, matrix: Affine, lengths: Lengths
@@ -207,12 +225,12 @@ class Clips:
     def _read(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
         """Return the region of a clip path; nothing if it has no inside."""
         matrix = matrix @ (parse(node.get("transform") or "none") or IDENTITY)
-        outer = self._cascade.declared(node)
+        around = self._in_force(node)
         found: list[Contour] = []
         rules = []
         for each in node.children:
-            child, declared, inner = self._placed(each, matrix, lengths)
-            if child.tag in ("title", "desc") or _is_hidden(declared):
+            child, declared, inherited, inner = self._placed(each, around, matrix, lengths)
+            if child.tag in ("title", "desc") or _is_hidden(declared, inherited):
                 continue
             if child.tag not in SHAPES:
                 self._notes.add(f"{child.tag} in a clip-path left out")
@@ -220,10 +238,10 @@ class Clips:
             if not is_sound(inner):
                 continue
             found += self._closed_in(child, declared, inner, lengths)
-            rules.append(declared.get("clip-rule") or outer.get("clip-rule") or "nonzero")
+            rules.append(inherited.clip_rule)
         if not found:
             return ()
-        return (Clip(tuple(found), "evenodd" if rules[0].strip() == "evenodd" else "nonzero"),)
+        return (Clip(tuple(found), rules[0]),)
 
 
 def _frame(node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
@@ -253,8 +271,8 @@ def _in_units(units: str | None, matrix: Affine, box: Box | None) -> Affine | No
     return None if box is None else matrix @ onto(box)
 
 
-def _is_hidden(declared: Declarations) -> bool:
-    return declared.get("display", "").strip() == "none" or declared.get("visibility", "").strip() == "hidden"
+def _is_hidden(declared: Declarations, inherited: Inherited) -> bool:
+    return declared.get("display", "").strip() == "none" or inherited.visibility != "visible"
 
 
 def _closed(contour: Contour) -> Contour:

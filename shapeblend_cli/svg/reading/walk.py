@@ -111,7 +111,7 @@ class Walk:
         for node in root.walk():
             if name := node.get("id"):
                 self._ids.setdefault(name, node)
-        self._clips = Clips(self._ids, self._cascade, notes, lenient)
+        self._clips = Clips(root, self._ids, self._cascade, notes, lenient)
         self._stack: list[_Visit] = []
         self._layers = Layers(self._ids, self._cascade, notes, self._content)
         self._painter = Painter(root, self._ids, self._cascade, notes, self._content)

@@ -35,6 +35,7 @@ class Inherited(NamedTuple):
     fill: colours.Paint = colours.Paint("colour", colours.BLACK)
     fill_opacity: float = 1.0
     fill_rule: str = "nonzero"
+    clip_rule: str = "nonzero"
     stroke: colours.Paint = colours.NONE
     stroke_opacity: float = 1.0
     stroke_width: Measure = (1.0, False)
@@ -60,6 +61,7 @@ INITIAL = Inherited()
 
 _KEYWORDS = {
     "fill-rule": ("nonzero", "evenodd"),
+    "clip-rule": ("nonzero", "evenodd"),
     "stroke-linecap": ("butt", "round", "square"),
     "stroke-linejoin": ("miter", "round", "bevel", "arcs", "miter-clip"),
     "visibility": ("visible", "hidden", "collapse"),

@@ -74,6 +74,16 @@ def test_the_rule_of_a_region_is_its_own():
     assert found.shapes[0].clips[0].rule == "evenodd"
 
 
+@pytest.mark.parametrize("around", ['<g style="clip-rule:evenodd">', '<g fill="none" fill-rule="evenodd">'])
+def test_the_rule_of_a_region_may_be_that_of_what_is_around_it(around):
+    """As Affinity and Sketch write it."""
+    name = "clip-path" if "clip" in around else "mask"
+    region = f'<{name.replace("-p", "P")} id="m" fill="#fff"><use href="#ring"/></{name.replace("-p", "P")}>'
+    known = f'<defs><path id="ring" d="M2 2H22V22H2Z M6 6H18V18H6Z"/></defs>{around}{region}</g>'
+    (shape,) = drawing(known, f'<g {name}="url(#m)"><circle cx="12" cy="12" r="12"/></g>').shapes
+    assert shape.clips[0].rule == "evenodd"
+
+
 @pytest.mark.parametrize(
     "value",
     ["url(#none)", "circle(5px)", "url(#g)", "url(other.svg#c)"],
