@@ -16,8 +16,9 @@ from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.styles.cascade import in_force, share
+from shapeblend_cli.svg.styles.declarations import substitute
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
-from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto, parse, translation
+from shapeblend_cli.svg.xml.transforms import Affine, is_sound, onto, transform_of, translation
 from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
@@ -53,6 +54,19 @@ class _Painted(NamedTuple):
     contours: list[Contour]
     colour: str
     rule: str
+
+
+class _Element(NamedTuple):
+    """An element of a region, with the map of its coordinates to the root's.
+
+    `clips` are the values of ``clip-path`` that it has, and those that what uses it has, with such a map each.
+    """
+
+    node: Node
+    declared: Declarations
+    inherited: Inherited
+    matrix: Affine
+    clips: tuple[tuple[str, Affine], ...] = ()
 
 
 class Clips:
@@ -111,7 +125,7 @@ class Clips:
             return self._none(NOT_APPLIED)
         key = id(node), inner
         if key not in self._known:
-            self._known[key] = self._read(node, inner, lengths)
+            self._known[key] = self._read(node, inner, lengths, depth)
         own = self._known[key]
         return (*own, *outer) if own and outer is not None else None
 
@@ -140,7 +154,8 @@ class Clips:
     def _shown(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
         """Return what a mask shows: the inside of its shapes, or of white ones, and the outside of each black one."""
         declared = self._cascade.declared(node)
-        painted = list(self._painted(node, self._in_force(node), matrix, lengths))
+        inherited = in_force(self._cascade, (node,), self._notes.add, self._around(node))
+        painted = list(self._painted(node, inherited, matrix, lengths))
         shown, hidden = painted, list[_Painted]()
         if declared.get("mask-type", "luminance").strip() != "alpha":
             shown = [each for each in painted if each.colour == WHITE]
@@ -162,7 +177,7 @@ class Clips:
     ) -> Iterator[_Painted]:
         """Yield the shapes below an element of a mask, in the root's coordinates."""
         for each in node.children:
-            child, declared, inherited, inner = self._placed(each, around, matrix, lengths)
+            child, declared, inherited, inner, _ = self._placed(each, around, matrix, lengths)
             if child.tag in ("title", "desc", "defs", "style") or _is_hidden(declared, inherited):
                 continue
             opacity = share(declared.get("opacity", "1"))
@@ -186,32 +201,35 @@ class Clips:
             assert colour is not None  # as it is opaque
             yield _Painted(self._closed_in(child, declared, inner, lengths), colour.rgb, inherited.fill_rule)
 
-    def _in_force(self, node: Node) -> Inherited:
-        """Return what a region hands on to its elements, of its own and of what is around it where it is defined."""
+    def _around(self, node: Node) -> Inherited:
+        """Return what the elements around a region hand on to it, where it is defined."""
         if not self._parents:
             self._parents = {id(child): each for each in self._root.walk() for child in each.children}
         path = [node]
         while id(path[-1]) in self._parents:
             path.append(self._parents[id(path[-1])])
-        # The walk tells what cannot be read around regions.
-        around = in_force(self._cascade, reversed(path[1:]), lambda phrase: None)
-        return in_force(self._cascade, (node,), self._notes.add, around)
+        # The walk tells what cannot be read there.
+        return in_force(self._cascade, reversed(path[1:]), lambda phrase: None)
 
-    def _placed(
-        self, child: Node, around: Inherited, matrix: Affine, lengths: Lengths
-    ) -> tuple[Node, Declarations, Inherited, Affine]:
-        """Return an element of a region, or what it uses, its style, and the map to the root's coordinates."""
-        declared = self._cascade.declared(child)
-        inherited = in_force(self._cascade, (child,), self._notes.add, around)
-        inner = matrix @ (parse(child.get("transform") or "none") or IDENTITY)
+    def _placed(self, child: Node, around: Inherited, matrix: Affine, lengths: Lengths) -> _Element:
+        """Return an element of a region, or what it uses."""
+        found = self._styled(child, _Element(child, {}, around, matrix), lengths)
         if child.tag == "use":
-            inner = inner @ translation(*viewports.offset(child, lengths))
-            used = self._ids.get(child.link().strip().removeprefix("#"))
-            child = used if used is not None else child
-            declared = {**declared, **self._cascade.declared(child)}
-            inherited = in_force(self._cascade, (child,), self._notes.add, inherited)
-            inner = inner @ (parse(child.get("transform") or "none") or IDENTITY)
-        return child, declared, inherited, inner
+            shift = translation(*viewports.offset(child, lengths))
+            used = self._ids.get(child.link().strip().removeprefix("#"), child)
+            found = found._replace(matrix=found.matrix @ shift)
+            found = self._styled(used, found, lengths) if used is not child else found
+        return found
+
+    def _styled(self, node: Node, around: _Element, lengths: Lengths) -> _Element:
+        """Return an element of a region, given what is around it; what it uses has declarations of both."""
+        inherited = in_force(self._cascade, (node,), self._notes.add, around.inherited)
+        declared = substitute(self._cascade.declared(node), inherited.variables)
+        matrix = around.matrix @ transform_of(node, declared, lengths, self._notes)
+        clips = around.clips
+        if declared.get("clip-path", "none").strip() != "none":
+            clips = (*clips, (declared["clip-path"], matrix))
+        return _Element(node, {**around.declared, **declared}, inherited, matrix, clips)
 
     def _closed_in(
         self, child: Node, declared: Declarations, matrix: Affine, lengths: Lengths
@@ -222,14 +240,16 @@ class Clips:
         check_limit(self._segments, MAX_SEGMENTS, "segments of clip paths")
         return [_closed(contours.transform(contour, matrix)) for contour in found]
 
-    def _read(self, node: Node, matrix: Affine, lengths: Lengths) -> tuple[Clip, ...]:
-        """Return the region of a clip path; nothing if it has no inside."""
-        matrix = matrix @ (parse(node.get("transform") or "none") or IDENTITY)
-        around = self._in_force(node)
+    def _read(self, node: Node, matrix: Affine, lengths: Lengths, depth: int) -> tuple[Clip, ...]:
+        """Return the regions that together are that of a clip path; nothing if it has no inside."""
+        around = self._styled(node, _Element(node, {}, self._around(node), matrix), lengths)
         found: list[Contour] = []
         rules = []
+        clipped: list[tuple[str, Affine]] = []
         for each in node.children:
-            child, declared, inherited, inner = self._placed(each, around, matrix, lengths)
+            child, declared, inherited, inner, clips = self._placed(
+                each, around.inherited, around.matrix, lengths
+            )
             if child.tag in ("title", "desc") or _is_hidden(declared, inherited):
                 continue
             if child.tag not in SHAPES:
@@ -237,11 +257,25 @@ class Clips:
                 continue
             if not is_sound(inner):
                 continue
-            found += self._closed_in(child, declared, inner, lengths)
-            rules.append(inherited.clip_rule)
+            own = self._closed_in(child, declared, inner, lengths)
+            if own:
+                found += own
+                clipped += clips
+                rules.append(inherited.clip_rule)
         if not found:
             return ()
-        return (Clip(tuple(found), rules[0]),)
+        outer: tuple[Clip, ...] = ()
+        if (
+            clipped and len(rules) > 1
+        ):  # a region would be needed for each shape, and then all of them together
+            self._notes.add(NOT_APPLIED)
+            clipped = []
+        for value, inner in clipped:
+            regions = self._clip(value, inner, lengths, None, depth + 1)
+            if regions is None:
+                return ()
+            outer += regions
+        return Clip(tuple(found), rules[0]), *outer
 
 
 def _frame(node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:

@@ -8,6 +8,7 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from tests.support.drawings import drawing
 
 RECT = '<rect x="2" y="2" width="20" height="20"/>'
+LARGE = '<rect width="24" height="24"/>'
 
 
 def clips(*elements):
@@ -27,6 +28,8 @@ def clips(*elements):
     [
         ('<circle cx="8" cy="8" r="4"/>', "", (4, 4, 12, 12)),
         ('<circle cx="8" cy="8" r="4" transform="translate(2 0)"/>', "", (6, 4, 14, 12)),
+        ('<circle cx="8" cy="8" r="4" style="transform: translate(2px)"/>', "", (6, 4, 14, 12)),
+        ('<use href="#dot" transform="scale(2 1)" transform-origin="1 0"/>', "", (-1, 0, 3, 2)),
         ('<path d="M4 4H8V8"/>', "", (4, 4, 8, 8)),  # closed as filling closes it
         ('<use href="#dot" x="5"/>', "", (5, 0, 7, 2)),
         (
@@ -112,6 +115,16 @@ def test_a_clip_path_may_be_clipped_itself():
     (found,) = clips(known, f'<g clip-path="url(#d)">{RECT}</g>')
     assert len(found) == 2
     assert len(drawing(known, f'<g clip-path="url(#round)">{RECT}</g>').shapes) == 1
+
+
+def test_a_shape_in_a_clip_path_may_be_clipped_itself_if_it_is_the_only_one():
+    known = '<clipPath id="c"><rect x="4" width="9" height="24"/></clipPath><clipPath id="none"/>'
+    inner = RECT.replace("<rect", '<rect clip-path="url(#c)"')
+    known += f'<clipPath id="d">{inner}</clipPath><clipPath id="e">{inner}{RECT}</clipPath>'
+    known += f'<clipPath id="f">{inner.replace("#c", "#none")}</clipPath>'
+    found = drawing(known, *(f'<g clip-path="url(#{name})">{LARGE}</g>' for name in "def"))
+    assert [len(shape.clips) for shape in found.shapes] == [2, 1]
+    assert found.notes == ("clip-path not applied",)
 
 
 def mask(shapes, attributes='style="mask-type:alpha"'):
