@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import rectangle
-from shapeblend_cli.model import Box, Clip, Contour
+from shapeblend_cli.geometry.crossings import path_crossings
+from shapeblend_cli.geometry.grouping import overlaps
+from shapeblend_cli.geometry.polygons import rectangle, reverse_contour, signed_area, winding_numbers
+from shapeblend_cli.model import MOST_CONTOURS, Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
@@ -23,8 +25,9 @@ from shapeblend_cli.svg.xml.units import length
 from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterator, Sequence
 
+    from shapeblend_cli.model import ComplexArray
     from shapeblend_cli.svg.styles.cascade import Cascade, Inherited
     from shapeblend_cli.svg.styles.declarations import Declarations
     from shapeblend_cli.svg.xml.units import Lengths
@@ -41,6 +44,14 @@ NO_MASK = "mask not applied"
 MOST_GROUPS = 16
 """Maximum depth of groups in a mask, and of clip paths that are clipped themselves."""
 
+CROSSING = "rule of a shape that crosses itself, one of several in a clip-path or a mask, not applied"
+
+RING_POINTS = 4
+"""Number of points of a segment by which areas are measured, and what is around what."""
+
+PLACES = 5
+"""Number of places on a contour where what is around it is looked for."""
+
 WHITE, BLACK = "#ffffff", "#000000"
 
 
@@ -48,12 +59,12 @@ class _SoftMaskError(Exception):
     """A mask that is no region: something in it is half transparent, grey, a picture or text."""
 
 
-class _Painted(NamedTuple):
-    """A shape in a mask."""
+class _Part(NamedTuple):
+    """A shape in a region."""
 
     contours: list[Contour]
-    colour: str
     rule: str
+    colour: str = BLACK
 
 
 class _Element(NamedTuple):
@@ -156,25 +167,24 @@ class Clips:
         declared = self._cascade.declared(node)
         inherited = in_force(self._cascade, (node,), self._notes.add, self._around(node))
         painted = list(self._painted(node, inherited, matrix, lengths))
-        shown, hidden = painted, list[_Painted]()
+        shown, hidden = painted, list[_Part]()
         if declared.get("mask-type", "luminance").strip() != "alpha":
             shown = [each for each in painted if each.colour == WHITE]
             hidden = painted[len(shown) :]
             # What is white above something black would show again.
             if [each.colour for each in painted] != [WHITE] * len(shown) + [BLACK] * len(hidden):
                 raise _SoftMaskError
-        inside = tuple(contour for each in shown for contour in each.contours)
-        if not inside:
+        if not any(each.contours for each in shown):
             raise _SoftMaskError
         around = Box.union([cubics.bounds(c.segments) for each in painted for c in each.contours])
         width, height = around.width, around.height
         wide = Box(around.x - width, around.y - height, 3.0 * width, 3.0 * height)
-        outside = (Clip((rectangle(wide), *each.contours), "evenodd") for each in hidden)
-        return Clip(inside, shown[0].rule), *outside
+        outside = (Clip((rectangle(wide), *self._outline(each)), "evenodd") for each in hidden)
+        return self._united(shown), *outside
 
     def _painted(
         self, node: Node, around: Inherited, matrix: Affine, lengths: Lengths, depth: int = 0
-    ) -> Iterator[_Painted]:
+    ) -> Iterator[_Part]:
         """Yield the shapes below an element of a mask, in the root's coordinates."""
         for each in node.children:
             child, declared, inherited, inner, _ = self._placed(each, around, matrix, lengths)
@@ -199,7 +209,7 @@ class Clips:
             ):
                 raise _SoftMaskError
             assert colour is not None  # as it is opaque
-            yield _Painted(self._closed_in(child, declared, inner, lengths), colour.rgb, inherited.fill_rule)
+            yield _Part(self._closed_in(child, declared, inner, lengths), inherited.fill_rule, colour.rgb)
 
     def _around(self, node: Node) -> Inherited:
         """Return what the elements around a region hand on to it, where it is defined."""
@@ -243,8 +253,7 @@ class Clips:
     def _read(self, node: Node, matrix: Affine, lengths: Lengths, depth: int) -> tuple[Clip, ...]:
         """Return the regions that together are that of a clip path; nothing if it has no inside."""
         around = self._styled(node, _Element(node, {}, self._around(node), matrix), lengths)
-        found: list[Contour] = []
-        rules = []
+        found: list[_Part] = []
         clipped: list[tuple[str, Affine]] = []
         for each in node.children:
             child, declared, inherited, inner, clips = self._placed(
@@ -259,15 +268,13 @@ class Clips:
                 continue
             own = self._closed_in(child, declared, inner, lengths)
             if own:
-                found += own
+                found.append(_Part(own, inherited.clip_rule))
                 clipped += clips
-                rules.append(inherited.clip_rule)
         if not found:
             return ()
         outer: tuple[Clip, ...] = ()
-        if (
-            clipped and len(rules) > 1
-        ):  # a region would be needed for each shape, and then all of them together
+        if clipped and len(found) > 1:
+            # Each shape would need a region of its own, and the union of these another one.
             self._notes.add(NOT_APPLIED)
             clipped = []
         for value, inner in clipped:
@@ -275,7 +282,49 @@ class Clips:
             if regions is None:
                 return ()
             outer += regions
-        return Clip(tuple(found), rules[0]), *outer
+        return self._united(found), *outer
+
+    def _united(self, parts: Sequence[_Part]) -> Clip:
+        """Return the region of several shapes: what is inside at least one of them by its own rule.
+
+        A region has one path with one rule, which blends as a shape does. If all contours run round what is inside in
+        one sense, winding numbers only add up, and ``nonzero`` is the rule of the union.
+        """
+        parts = [part for part in parts if part.contours]
+        every = tuple(contour for part in parts for contour in part.contours)
+        if len({part.rule for part in parts}) == 1 and not _overlap(parts):
+            return Clip(every, parts[0].rule)
+        found = [edge for part in parts for edge in self._edges(part)]
+        if not found:
+            return Clip(every)
+        # As most of them run already: shapes that all run one way stay as they are.
+        sense = 1 if sum(each for _, each in found) >= 0 else -1
+        return Clip(tuple(contour if each == sense else reverse_contour(contour) for contour, each in found))
+
+    def _outline(self, part: _Part) -> list[Contour]:
+        """Return the contours of a shape for the rule ``evenodd``."""
+        return part.contours if part.rule == "evenodd" else [contour for contour, _ in self._edges(part)]
+
+    def _edges(self, part: _Part) -> list[tuple[Contour, int]]:
+        """Return the contours that part the inside of a shape from its outside.
+
+        Each has 1 if it runs from x towards y around what is inside, or the other way around a hole, else -1.
+        """
+        rings = [cubics.polyline(contour.segments, RING_POINTS) for contour in part.contours]
+        areas = [signed_area(ring) for ring in rings]
+        ways = [1 if area >= 0.0 else -1 for area in areas]
+        if path_crossings(part.contours, most=1):
+            runs_one_way = len({*ways}) == 1 and not any(path_crossings([c], 1) for c in part.contours)
+            if part.rule != "nonzero" or not runs_one_way:
+                self._notes.add(CROSSING)
+            return [(contour, 1 if sum(areas) >= 0.0 else -1) for contour in part.contours]
+        found = []
+        for contour, way, outside in zip(part.contours, ways, _windings_around(rings), strict=True):
+            numbers = outside, outside + way
+            was_in, is_in = (number % 2 != 0 if part.rule == "evenodd" else number != 0 for number in numbers)
+            if is_in != was_in:
+                found.append((contour, way if is_in else -way))
+        return found
 
 
 def _frame(node: Node, matrix: Affine, lengths: Lengths, box: Box | None) -> tuple[Clip, ...]:
@@ -303,6 +352,27 @@ def _in_units(units: str | None, matrix: Affine, box: Box | None) -> Affine | No
     if (units or "").strip() != "objectBoundingBox":
         return matrix
     return None if box is None else matrix @ onto(box)
+
+
+def _overlap(parts: Sequence[_Part]) -> bool:
+    """Return whether the boxes of any shapes overlap, or there are too many to compare."""
+    if len(parts) == 1 or len(parts) > MOST_CONTOURS:
+        return len(parts) > 1
+    boxes = [cubics.bounds(np.concatenate([each.segments for each in part.contours])) for part in parts]
+    return bool(np.triu(overlaps(boxes), 1).any())
+
+
+def _windings_around(rings: Sequence[ComplexArray]) -> list[int]:
+    """Return the winding number of the other rings around each, given that none of them crosses it."""
+    # Where rings touch, what is around one is uncertain: most places decide.
+    shares = np.linspace(0.0, 1.0, PLACES, endpoint=False)
+    points = np.array([ring[(shares * len(ring)).astype(int)] for ring in rings])
+    around = np.zeros(points.shape, int)
+    for k, ring in enumerate(rings):
+        numbers = winding_numbers(points.ravel(), ring).reshape(points.shape)
+        numbers[k] = 0
+        around += numbers
+    return [int(number) for number in np.median(around, axis=1)]
 
 
 def _is_hidden(declared: Declarations, inherited: Inherited) -> bool:

@@ -153,14 +153,61 @@ def test_a_mask_of_opaque_shapes_is_a_region(shapes, attributes, boxes):
     assert mask(shapes, attributes) == [boxes]
 
 
-def test_what_a_mask_shows_is_what_browsers_show():
-    shapes = '<path fill="#fff" d="M0 0H24V24H0Z"/><path d="M8 8H16V16H8Z"/>'
-    found = drawing(f'<mask id="m">{shapes}</mask>', f'<g mask="url(#m)">{RECT}</g>')
-    (clip,) = found.shapes[0].clips
-    rings = [cubics.polyline(path.segments, 1) for path in clip.paths]
-    points = np.array([12 + 12j, 4 + 4j, 15 + 9j, 17 + 9j])
-    inside = sum(abs(winding_numbers(points, ring)) for ring in rings) % 2
-    assert (clip.rule, inside.tolist()) == ("evenodd", [0, 1, 0, 1])
+def seen(region, points):
+    """Which points are in all clips of a square behind a clip path or a mask, with its notes."""
+    found = drawing(region, f'<g clip-path="url(#c)" mask="url(#m)">{LARGE}</g>')
+    inside = np.ones(len(points), bool)
+    for clip in found.shapes[0].clips:
+        around = sum(winding_numbers(points, cubics.polyline(path.segments, 1)) for path in clip.paths)
+        inside &= around % 2 != 0 if clip.rule == "evenodd" else around != 0
+    return inside.tolist(), [
+        note for note in found.notes if "clip-path not" not in note and "mask not" not in note
+    ]
+
+
+RING = "M2 2H18V18H2Z M6 6H14V14H6Z"
+ACROSS = "M12 12V22H22V12Z"
+
+
+@pytest.mark.parametrize(
+    ("region", "inside"),
+    [
+        ('<clipPath id="c"><path d="M2 2H18V18H2Z"/><path d="{across}"/></clipPath>', [1, 1, 1, 1]),
+        (
+            '<clipPath id="c" clip-rule="evenodd"><path d="{ring}"/><path d="{across}"/></clipPath>',
+            [1, 0, 1, 1],
+        ),
+        (
+            '<clipPath id="c"><path clip-rule="evenodd" d="{ring}"/><path d="M20 20h2v2"/></clipPath>',
+            [1, 0, 0, 1],
+        ),
+        (
+            '<clipPath id="c"><path d="M20 20h2v2"/><path clip-rule="evenodd" d="{ring}"/></clipPath>',
+            [1, 0, 0, 1],
+        ),
+        ('<clipPath id="c"><path d="{ring}"/><path d="{across}"/></clipPath>', [1, 1, 1, 1]),
+        (
+            '<mask id="m" fill="#fff"><path fill-rule="evenodd" d="{ring}"/><path d="{across}"/></mask>',
+            [1, 0, 1, 1],
+        ),
+        # What is painted black is hidden.
+        ('<mask id="m"><path fill="#fff" d="M0 0H24V24H0Z"/><path d="M8 8H16V16H8Z"/></mask>', [1, 0, 0, 1]),
+        ('<mask id="m"><path fill="#fff" d="M0 0H24V24H0Z"/><path d="{ring}"/></mask>', [0, 0, 0, 0]),
+    ],
+)
+def test_what_a_region_shows_is_what_browsers_show(region, inside):
+    points = np.array([4 + 4j, 10 + 10j, 13 + 13j, 17 + 17j])
+    found = seen(region.format(ring=RING, across=ACROSS), points)
+    assert found == ([bool(each) for each in inside], [])
+
+
+def test_the_rule_of_one_of_several_shapes_is_not_applied_if_it_crosses_itself():
+    star = '<path clip-rule="evenodd" d="M12 2L18 20L2 9H22L6 20Z"/>'
+    inside, notes = seen(f'<clipPath id="c">{star}{RECT}</clipPath>', np.array([12 + 12j]))
+    assert inside == [True]
+    assert notes == [
+        "rule of a shape that crosses itself, one of several in a clip-path or a mask, not applied"
+    ]
 
 
 @pytest.mark.parametrize(
