@@ -6,8 +6,9 @@ import re
 
 from shapeblend_cli.model import Box, Length, Page
 from shapeblend_cli.svg.reading.titles import name_of
+from shapeblend_cli.svg.styles.declarations import Declarations
 from shapeblend_cli.svg.xml.messages import Notes
-from shapeblend_cli.svg.xml.transforms import Affine, translation
+from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, transform_of, translation
 from shapeblend_cli.svg.xml.units import LEAST, Lengths, length, measured, numbers
 from shapeblend_cli.svg.xml.xmltree import Node
 
@@ -48,13 +49,36 @@ def root_page(root: Node, box: Box | None) -> Page:
 
 def root_pixel(root: Node, box: Box | None) -> float:
     """Return how long a CSS pixel is in the root's coordinates at its own size; 1 if it has none."""
+    size = _root_size(root, box)
+    if box is None or size is None:
+        return 1.0
+    return abs(fit(box, *size, root.get("preserveAspectRatio") or "").determinant) ** -0.5
+
+
+def _root_size(root: Node, box: Box | None) -> tuple[float, float] | None:
+    """Return the width and the height of the root in CSS pixels; None if it has none of its own."""
     width, height = (max(length(root.get(name) or "") or 0.0, 0.0) for name in ("width", "height"))
     if box is None or not (width or height):
-        return 1.0
+        return None
     width, height = width or height * box.width / box.height, height or width * box.height / box.width
-    if min(width, height) < LEAST:
-        return 1.0
-    return abs(fit(box, width, height, root.get("preserveAspectRatio") or "").determinant) ** -0.5
+    return (width, height) if min(width, height) >= LEAST else None
+
+
+def root_transform(root: Node, declared: Declarations, box: Box | None, notes: Notes) -> Affine:
+    """Return the transform of the root in its own coordinates.
+
+    It has a box in the page, as elements of HTML have: browsers apply transforms to that, in CSS pixels, and about its
+    centre. Without a size a pixel is a unit.
+    """
+    lengths = root_lengths(box)
+    width, height = _root_size(root, box) or (lengths.width, lengths.height)
+    declared = {"transform-origin": "50% 50%", **declared}
+    moved = transform_of(root, declared, Lengths(width, height), notes)
+    if box is None or moved == IDENTITY:
+        return moved
+    inner = fit(box, width, height, root.get("preserveAspectRatio") or "")
+    back = Affine(1.0 / inner.a, 0.0, 0.0, 1.0 / inner.d, -inner.e / inner.a, -inner.f / inner.d)
+    return back @ moved @ inner
 
 
 def _written(text: str) -> Length | None:

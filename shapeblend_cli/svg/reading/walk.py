@@ -146,7 +146,9 @@ class Walk:
         self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
         self._pixel = viewports.root_pixel(self._root, box)
         lengths = viewports.root_lengths(box)
-        self._stack = [_Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)]
+        moved = viewports.root_transform(self._root, self._cascade.declared(self._root), box, self._notes)
+        root = _Visit(self._root, IDENTITY, INITIAL, 1.0, lengths, chosen=selector is None)
+        self._stack = [root.transformed(moved)]
         while self._stack:
             self._process(self._stack.pop())
         if not self._painted:

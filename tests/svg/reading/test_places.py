@@ -54,6 +54,9 @@ origin in words | <rect width="4" height="2" style="transform: scale(2); transfo
 -4 -1 4 3 | viewBox="0 0 4 4"
 units are no attribute | <rect width="4" height="2" transform="rotate(90deg)"/> | 0 0 4 2
 no units are no property | <rect width="4" height="2" style="transform: rotate(90)"/> | 0 0 4 2
+root turned about its middle | <rect width="4" height="2"/> | 36 18 40 20 | viewBox="0 0 40 20" transform="rotate(180)"
+root moved in pixels | <rect width="4" height="2"/> | 4 2 8 4\
+ | viewBox="0 0 40 20" width="80" style="transform:translate(10%,4px)"
 nested viewport | <svg x="10%" y="1" width="50%" height="20" viewBox="0 0 10 10"><rect width="10" height="5"/></svg>\
  | 4 1 24 11 | viewBox="0 0 40 40"
 viewport without a viewBox | <svg x="1" width="40" height="20"><rect width="50%" height="50%"/></svg> | 1 0 21 10
@@ -80,7 +83,7 @@ def test_shape_lies_where_browsers_put_it(name):
 
 
 def test_the_roots_viewport_does_not_move_anything():
-    root = 'viewBox="5 5 10 10" width="300mm" height="10%" preserveAspectRatio="none" transform="scale(2)"'
+    root = 'viewBox="5 5 10 10" width="300mm" height="10%" preserveAspectRatio="none"'
     assert boxes(drawn('<rect width="1" height="1"/>', root)) == [[0, 0, 1, 1]]
 
 
