@@ -168,12 +168,16 @@ class Length(NamedTuple):
 
 
 class Page(NamedTuple):
-    """The root of a file: its size, the box in the plane that fills this size, and its names."""
+    """The root of a file: its size, the box in the plane that fills this size, and its names.
+
+    `fit` is its ``preserveAspectRatio``, by which a box of another shape fills the size; empty for the default.
+    """
 
     width: Length | None = None
     height: Length | None = None
     box: Box | None = None
     name: Name = UNNAMED
+    fit: str = ""
     heading: str = ""  # stands in for a title: the name of its file, or of several
 
     @property

@@ -30,7 +30,10 @@ def common_page(pages: Sequence[Page]) -> Page:
         _common_length([page.width for page in alike]),
         _common_length([page.height for page in alike]),
     )
-    return Page(width, height, box, name, heading)
+    # Where a page has no size, what fills it has its shape.
+    fits = {page.fit for page in sized if page.width is not None and page.height is not None}
+    fit = fits.pop() if len(fits) == 1 and width is not None and height is not None else ""
+    return Page(width, height, box, name, fit, heading)
 
 
 def page_for(page: Page, view: Box) -> Page:

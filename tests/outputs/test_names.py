@@ -128,6 +128,22 @@ def test_a_size_keeps_its_scale_where_more_is_shown(here):
     assert float(root.get("height").removesuffix("cm")) == pytest.approx(height / 2)
 
 
+@pytest.mark.parametrize(
+    ("fit", "of_b", "kept"),
+    [
+        ("none", 'width="40" height="24" preserveAspectRatio="none"', "none"),
+        ("xMidYMin slice", "", "xMidYMin slice"),
+        ("none", 'width="40" height="24"', None),
+        ("xMidYMid", "", None),
+    ],
+)
+def test_what_fills_a_size_of_another_shape_does_so_as_in_both_drawings(here, fit, of_b, kept):
+    path = svg('<path d="M2 2H10V10H2Z"/>')
+    sized = path.replace("<svg", f'<svg width="40" height="24" preserveAspectRatio="{fit}"')
+    root = frame(a=sized, b=path.replace("<svg", f"<svg {of_b}"))
+    assert (root.get("width"), root.get("preserveAspectRatio")) == ("40", kept)
+
+
 @pytest.mark.parametrize("method", ["smil", "css"])
 def test_animations_have_the_names_too(here, method):
     write(a=walker(), b=walker(BOOT), c=walker(LEG, second="path1"))

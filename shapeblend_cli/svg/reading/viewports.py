@@ -44,7 +44,12 @@ def root_box(root: Node, notes: Notes) -> Box | None:
 def root_page(root: Node, box: Box | None) -> Page:
     """Return the size of the root as it is written, the box that it shows, and its names."""
     width, height = (_written(root.get(name) or "") for name in ("width", "height"))
-    return Page(width if box else None, height if box else None, box, name_of(root))
+    if box is None:
+        return Page(name=name_of(root))
+    words = (root.get("preserveAspectRatio") or "")[:_MAX_FIT].split()
+    is_known = re.fullmatch(r"(none|x(Min|Mid|Max)Y(Min|Mid|Max))( meet| slice)?", " ".join(words))
+    is_default = words in (["xMidYMid"], ["xMidYMid", "meet"])
+    return Page(width, height, box, name_of(root), " ".join(words) if is_known and not is_default else "")
 
 
 def root_pixel(root: Node, box: Box | None) -> float:

@@ -54,7 +54,7 @@ def empty(viewbox: Box, decimals: int, page: Page | None = None) -> Element:
             size = "" if length is None else f"{number(length.number, SIZE_DIGITS)}{length.unit}"
             if size != "100%":  # the default
                 put(drawing, {name: size})
-        put(drawing, {"id": page.name.id or ""})
+        put(drawing, {"id": page.name.id or "", "preserveAspectRatio": page.fit})
         drawing.extend(_texts(page.name))
     return drawing
 
