@@ -71,12 +71,12 @@ class Grade(NamedTuple):
 
 
 def grade(strip: Sequence[PictureArray]) -> Grade:
-    """Grade a strip of three pictures or more, each (4, n, n)."""
+    """Grade a strip of three pictures or more, each (4, h, w), of which the longer side is that of all pictures."""
     return grade_of_seen(seen_in(strip))
 
 
 def seen_in(strip: Sequence[PictureArray]) -> Seen:
-    """Return what is seen in a strip of three pictures or more, each (4, n, n).
+    """Return what is seen in a strip of three pictures or more, as in `grade`.
 
     If all corners of the first and the last picture have one opaque colour, this is taken for the ground.
     """
@@ -101,10 +101,11 @@ def sum_of_faults(seen: Seen) -> float:
 
 
 def _prepared(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:
-    """Return at most `FRAMES` pictures of a strip, without their ground."""
+    """Return at most `FRAMES` pictures of a strip, without their ground, in squares."""
     places = np.rint(np.linspace(0, len(strip) - 1, min(len(strip), FRAMES))).astype(int)
     places = places[np.append(True, np.diff(places) > 0)]  # np.unique would load numpy.ma first
-    return without_ground([strip[k] for k in places.tolist()])
+    # The corners of what lies around a picture that is no square would say nothing of its ground.
+    return [squared(picture) for picture in without_ground([strip[k] for k in places.tolist()])]
 
 
 def weighed(amounts: Features) -> Grade:
@@ -136,3 +137,15 @@ def without_ground(strip: Sequence[PictureArray]) -> Sequence[PictureArray]:
         return strip
     ground = corners[0, :, 0, None, None]
     return [np.where(np.abs(picture - ground).max(axis=0) > 0.06, picture, 0.0) for picture in strip]
+
+
+def squared(picture: PictureArray) -> PictureArray:
+    """Return a picture in the middle of the smallest square around it."""
+    height, width = picture.shape[1:]
+    side = max(height, width)
+    if height == width:
+        return picture
+    found = np.zeros((len(picture), side, side), picture.dtype)
+    top, left = (side - height) // 2, (side - width) // 2
+    found[:, top : top + height, left : left + width] = picture
+    return found

@@ -134,7 +134,9 @@ def png_of(canvas: UIntArray) -> bytes:
 
 
 def pictures_in(file: str, side: int) -> list[PictureArray]:
-    """Return the pictures in a PNG or GIF file, (4, side, side) each: red, green and blue times opacity, and opacity.
+    """Return the pictures in a PNG or GIF file, as large as a square allows that has such sides.
+
+    Each is (4, height, width): red, green and blue times opacity, and opacity.
 
     Raises
     ------
@@ -160,7 +162,7 @@ def pictures_in(file: str, side: int) -> list[PictureArray]:
 
 
 def _fitted(image: Image.Image, side: int) -> PictureArray:
-    """Return a picture as large as a square allows, in its middle."""
+    """Return a picture as large as a square allows."""
     import numpy as np
 
     scale = side / max(image.size)
@@ -169,7 +171,4 @@ def _fitted(image: Image.Image, side: int) -> PictureArray:
         np.asarray(image.resize((size[0], size[1]), 4), np.float32) / 255.0
     )  # 4: the mean of each pixel's area
     small[..., :3] *= small[..., 3:]
-    fitted = np.zeros((4, side, side), np.float32)
-    left, top = (side - size[0]) // 2, (side - size[1]) // 2
-    fitted[:, top : top + size[1], left : left + size[0]] = small.transpose(2, 0, 1)
-    return fitted
+    return np.ascontiguousarray(small.transpose(2, 0, 1))
