@@ -306,7 +306,8 @@ class Blend:
             )
         files = [Path(name) for name in spec.files()]
         spec.format.check_libraries()
-        check_targets(files, [Path(drawing.file) for drawing in self.drawings], force)
+        names = *(drawing.file for drawing in self.drawings), spec.settings.timing.file
+        check_targets(files, [Path(name) for name in names if name], force)
         return files
 
     def report(self) -> dict[str, Any]:

@@ -56,6 +56,10 @@ def test_nothing_is_replaced_without_force(letters, tmp_path):
     with pytest.raises(sb.ShapeblendError, match=r"x\.svg: exists"):
         letters.save(file)
     assert letters.save(file, force=True) == [file]
+    times = tmp_path / "times.json"
+    times.write_text('{"0": {"start": 0.5}}')
+    with pytest.raises(sb.ShapeblendError, match=r"times\.json: is an input"):
+        sb.blend(E, F, timing=str(times)).save(times, force=True)
 
 
 def test_a_report_is_that_of_the_command(letters, here):

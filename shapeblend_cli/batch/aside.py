@@ -38,17 +38,14 @@ OURS = {
 NOT_IN_XML = re.compile("[^\t\n\r -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def check_aside(options: BatchOptions, tasks: Sequence[Task], names: Sequence[str]) -> None:
-    """Raise OutputError if a file is to be written aside that the batch reads or writes as well.
-
-    `names` are files that it reads beside drawings.
-    """
+def check_aside(options: BatchOptions, tasks: Sequence[Task]) -> None:
+    """Raise OutputError if a file is to be written aside that the batch reads or writes as well."""
     files = options.results, options.log_file, options.summary, options.depfile
     given = [file for file in files if file not in (None, STANDARD_OUTPUT)]
     if not given:
         return
     place = places()
-    taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *names)}
+    taken = {place(path) for task in tasks for path in (*task.files, *map(str, task.targets), *task.beside)}
     for file in map(str, given):
         if place(file) in taken:
             raise OutputError(file, "is read or written by the batch as well; another name would work")

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.batch.records import SUFFIX, place_of
 from shapeblend_cli.errors import OptionError, ShapeblendError
-from shapeblend_cli.job.job import RECORDS, Job, all_targets, job_of
+from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT, Job, all_targets, job_of
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
 from shapeblend_cli.outputs.registry import EMITS, FORMATS
 from shapeblend_cli.rows.row import LETTERS, Name, Row
@@ -41,6 +41,14 @@ class Task(NamedTuple):
     def output(self) -> str:
         """The file or folder that is written."""
         return str(self.given["output"])
+
+    @property
+    def beside(self) -> list[str]:
+        """The files that are read beside drawings: the manifest, and the file of a timetable."""
+        word, *paths = self.source
+        timing = self.given.get("timing")
+        names = *(paths if word == "batch" else ()), timing.file if timing else ""
+        return [name for name in names if name and name != STANDARD_INPUT]
 
     @property
     def job(self) -> Job:
@@ -202,6 +210,12 @@ def _check_files(tasks: Sequence[Task]) -> None:
                 if writer.task is task:
                     raise OptionError(f"{task.where}: {file} would be written, and is one of its drawings")
                 raise OptionError(f"{writer.task.where}: {file} would be written, which {task.where} reads")
+        for file in task.beside:
+            writer = owners.get(place(file))
+            if writer is not None:
+                raise OptionError(
+                    f"{writer.task.where}: {file} would be written, and is an input, which is never replaced"
+                )
 
 
 def _apart(task: Task) -> str:

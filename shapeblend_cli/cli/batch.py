@@ -227,7 +227,7 @@ def _tasks(
             raise OptionError(
                 f"{file} would be taken for one of the drawings the next time; another folder in --output would work"
             )
-    check_aside(options, tasks, () if found or names[0] == STANDARD_INPUT else names)
+    check_aside(options, tasks)
     if options.shard is not None:
         number, count = options.shard
         tasks = tasks[number - 1 :: count]

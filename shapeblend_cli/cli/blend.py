@@ -50,10 +50,11 @@ def blend(context: click.Context, /, files: tuple[str, ...], **given: Any) -> No
     typed_files = files
     _check_words(files, context.find_root().command)
     files, options = opened(files, given, stays_inside=True)
-    job = job_of(files, options, ("shapeblend", *context.meta[TYPED]))
+    project = "" if files == typed_files else typed_files[0]
+    job = job_of(files, options, ("shapeblend", *context.meta[TYPED]))._replace(project=project)
     _check_idle(job, given, printed)
     limit(*RunOptions.of(options).values)
-    _check_files(job.files, "" if job.files == typed_files else typed_files[0])
+    _check_files(job)
 
     from shapeblend_cli.job.make import blend_files
 
@@ -79,14 +80,14 @@ def _check_words(files: Sequence[str], group: click.Command) -> None:
             raise click.UsageError(f"{word} is a command, which comes first: shapeblend {word}")
 
 
-def _check_files(files: Sequence[str], project: str) -> None:
+def _check_files(job: Job) -> None:
     """Raise InputError for a drawing that is not there, with the project that names it, if one does."""
     try:
-        check_inputs(files)
+        check_inputs(job.files)
     except InputError as error:
-        if not project:
+        if not job.project:
             raise
-        raise InputError(project, f"its drawing {error}") from None
+        raise InputError(job.project, f"its drawing {error}") from None
 
 
 def _check_idle(job: Job, typed: Mapping[str, Any], printed: TerminalOptions) -> None:

@@ -32,6 +32,13 @@ class Job(NamedTuple):
     write: WriteOptions
     reported: Callable[[], dict[str, Any]]  # gives every option's value in force, for the report
     command: tuple[str, ...]  # the command line
+    project: str = ""  # the file that names the others, if there is one
+
+    @property
+    def inputs(self) -> list[Path]:
+        """All files that are read, whatever for: none of them is replaced."""
+        names = *self.files, self.project, self.output.settings.timing.file
+        return [Path(name) for name in names if name and name != STANDARD_INPUT]
 
 
 def job_of(files: tuple[str, ...], given: Mapping[str, Any], command: tuple[str, ...]) -> Job:

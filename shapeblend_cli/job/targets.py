@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -23,17 +23,13 @@ def check_libraries(job: Job) -> None:
 
 def check_files_of(job: Job) -> None:
     """Raise OutputError if a job must not write one of its targets; see `check_targets`."""
-    _check(all_targets(job), job.files, job.write.force)
+    check_targets(all_targets(job), job.inputs, job.write.force)
 
 
 def check_output(output: str, files: Sequence[str], force: bool) -> None:
     """Raise OutputError if a text that is made of files must not be written to an output; see `check_targets`."""
     if output != STANDARD_OUTPUT:
-        _check([Path(output)], files, force)
-
-
-def _check(targets: Iterable[Path], files: Sequence[str], force: bool) -> None:
-    check_targets(targets, [Path(file) for file in files if file != STANDARD_INPUT], force)
+        check_targets([Path(output)], [Path(file) for file in files if file != STANDARD_INPUT], force)
 
 
 def write(

@@ -20,6 +20,7 @@ class Timetable(NamedTuple):
     """The names of parts, each with the times of its start and its end, as shares of the time."""
 
     parts: tuple[tuple[str, float, float], ...] = ()
+    file: str = ""  # that it was read from, if it was
 
     def __str__(self) -> str:
         """As it is typed, without a file."""
@@ -48,7 +49,7 @@ def parse(text: str) -> Timetable:
             data = stream.read(MAX_BYTES)
     except (OSError, ValueError) as error:
         raise unreadable(text, error, "file of JSON") from None
-    return timetable(_json(data.decode("utf-8-sig", "replace")))
+    return timetable(_json(data.decode("utf-8-sig", "replace")))._replace(file=text)
 
 
 def timetable(value: Any) -> Timetable:

@@ -155,3 +155,22 @@ def test_a_project_replaces_nothing_by_itself(folder, capsys, value):
     assert run(["blend.json"]) == 2
     assert "only the command line can say it: --force" in capsys.readouterr().err
     assert (folder / "moving.svg").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "blend.json -o blend.json",
+        "a.svg b.svg -o x.svg --timing times.json --report times.json",
+        "batch jobs.jsonl --report jobs.jsonl",
+        "batch jobs.jsonl --timing times.json --report times.json",
+    ],
+)
+def test_no_file_that_is_read_is_replaced(folder, capsys, line):
+    write(folder / "blend.json", {"files": ["a.svg", "b.svg"]})
+    write(folder / "jobs.jsonl", {"a": "a.svg", "b": "b.svg", "o": "x.svg"})
+    write(folder / "times.json", {"0": {"start": 0.5}})
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+    assert run([*line.split(), "--force"]) in (1, 2)
+    assert re.search(r"\.jsonl?( would be written, and)?:? is an input", capsys.readouterr().err)
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before
