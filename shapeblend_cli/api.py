@@ -426,13 +426,17 @@ def match(
 
 def _polygon(points: ArrayLike, closed: bool) -> Polygon:
     """Return a polygon on a contour of straight segments, one for each vertex."""
-    vertices = np.asarray(points)
+    least = 3 if closed else 2
+    form = f"a polygon is a list of {least} or more points, (x, y) or complex numbers"
+    try:
+        # NumPy's product of objects that are no numbers ends the process.
+        vertices = np.asarray(points, np.complex128)
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(form) from None
     if vertices.ndim == 2 and vertices.shape[1] == 2:
         vertices = vertices @ (1, 1j)
-    vertices = vertices.astype(np.complex128)
-    least = 3 if closed else 2
     if vertices.ndim != 1 or len(vertices) < least:
-        raise ValueError(f"a polygon is a list of {least} or more points, (x, y) or complex numbers")
+        raise ValueError(form)
     if not np.isfinite(vertices).all():
         raise ValueError("a vertex is not finite")
     if (np.diff(vertices) == 0.0).any() or (closed and vertices[0] == vertices[-1]):

@@ -115,6 +115,8 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.match([0, 1, 2, 2], [0, 1, 1j]), "neighbouring vertices coincide"),
         (lambda: sb.match([0, 1], [0, 1, 1j]), "a list of 3 or more points"),
         (lambda: sb.match([0, 1, np.nan], [0, 1, 1j]), "a vertex is not finite"),
+        (lambda: sb.match([(0, 0), (10**400, 1), (2, 2)], [0, 1, 1j]), "a list of 3 or more points"),
+        (lambda: sb.match([(0, 0), (1,), (2, 2)], [0, 1, 1j]), "a list of 3 or more points"),
     ],
 )
 def test_errors_name_the_field(wrong, message, here):
