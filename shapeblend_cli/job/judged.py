@@ -105,4 +105,4 @@ def _view(drawings: Sequence[Drawing]) -> Box | None:
 
 def _natural(name: str) -> list[tuple[int, str]]:
     """Return the words and numbers of a name, by which frame-10 comes after frame-9."""
-    return [(int(part), "") if part.isdigit() else (-1, part) for part in re.split(r"(\d+)", name) if part]
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in re.split(r"(\d+)", name) if part]

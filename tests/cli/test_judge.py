@@ -1,11 +1,13 @@
 """Grades of frames on the command line."""
 
 import json
+import os
 
 import pytest
 from PIL import Image, ImageDraw
 
 from shapeblend_cli.cli import run
+from shapeblend_cli.job.judged import strips_of
 from tests.support.drawings import svg
 
 EVEN = [f"M{x} 4h8v8h-8Z" for x in (2, 4, 6, 8, 10, 12, 14)]
@@ -36,6 +38,13 @@ def test_frames_may_be_files_in_their_order(tmp_path, capsys):
     (whole,) = grades(capsys, folder)
     (files,) = grades(capsys, *(folder / f"frame-{k}.svg" for k in range(8, 15)))
     assert files["grade"] == whole["grade"]
+
+
+def test_a_raised_digit_in_a_name_is_no_number(tmp_path):
+    for name in ("frame-10.svg", "frame-9.svg", "frame-\u00b2.svg"):
+        (tmp_path / name).touch()
+    ((_, files),) = strips_of([str(tmp_path)])
+    assert [os.path.basename(file) for file in files] == ["frame-9.svg", "frame-10.svg", "frame-\u00b2.svg"]
 
 
 def test_pictures_on_an_opaque_ground_are_graded_as_drawings_are(tmp_path, capsys):
