@@ -91,6 +91,8 @@ def _batch(
 
     tasks, notes = _tasks(names, options, given)
     if options.dry_run:
+        for note in () if printed.quiet else notes:
+            say(note)
         _show(tasks, states(tasks), options)
         return 0
     return _do(tasks, notes, Aside(options, " ".join(_source(names, options))), options, printed)

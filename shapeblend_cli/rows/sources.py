@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatch
 from itertools import combinations, pairwise
 from typing import NamedTuple
@@ -46,7 +46,7 @@ def same_names(one: str, other: str) -> Found:
     for folder in (one, other):
         if not os.path.isdir(folder):
             raise OptionError(f"--pairs: {folder} is no folder")
-    pattern = os.path.join(glob.escape(one), "**", DRAWINGS)
+    pattern = _inside(one)
     names = [os.path.relpath(file, one) for file in drawings(pattern)]
     rows = [
         Row(f"--pairs, {name}", (os.path.join(one, name), os.path.join(other, name)), name, {})
@@ -55,12 +55,20 @@ def same_names(one: str, other: str) -> Found:
     ]
     if not rows:
         raise OptionError(f"--pairs: no drawing in {one} has a namesake in {other}")
+    others = [os.path.relpath(file, other) for file in drawings(_inside(other))]
+    return Found(rows, [*_alone(names, one, other), *_alone(others, other, one)], pattern)
+
+
+def _inside(folder: str) -> str:
+    """Return the pattern of the drawings in a folder, and in folders inside it."""
+    return os.path.join(glob.escape(folder), "**", DRAWINGS)
+
+
+def _alone(names: Sequence[str], folder: str, other: str) -> Iterator[str]:
+    """Yield a note if drawings in a folder have no namesake in the other one."""
     alone = [name for name in names if not os.path.isfile(os.path.join(other, name))]
-    notes = [
-        f"{len(alone)} of {len(names)} drawings in {one} have no namesake in {other}, {name} for one"
-        for name in alone[:1]
-    ]
-    return Found(rows, notes, pattern)
+    if alone:
+        yield f"{len(alone)} of {len(names)} drawings in {folder} have no namesake in {other}, {alone[0]} for one"
 
 
 def natural(file: str) -> tuple[list[str | int], str]:
