@@ -103,6 +103,8 @@ def read(
     if (file is None) == (text is None):
         raise TypeError("read takes the name of a file, or text=...")
     if text is not None:
+        if not isinstance(text, str):
+            raise TypeError(f"text must be str, not {type(text).__name__}")
         return read_file("<text>", text.encode("utf-8", "replace"), select=select, lenient=lenient)
     if "\n" in str(file) or str(file).lstrip("\ufeff \t\r").startswith("<"):
         raise InputError("SVG text", "given in place of the name of a file; read(text=...) would work")
@@ -142,6 +144,9 @@ def blend(
     """
     if isinstance(b, Settings):
         b, settings = None, b
+    if settings is not None and not isinstance(settings, Settings):
+        kind = type(settings).__name__
+        raise TypeError(f"settings must be Settings, not {kind}; a list of drawings may have more than two")
     several = b is None and not isinstance(a, str | Path | Drawing)
     given = list(a) if several else [a] if b is None else [a, b]  # type: ignore[arg-type]
     if len(given) < 2:
@@ -274,7 +279,7 @@ class Blend:
         Raises
         ------
         ShapeblendError
-            A file exists or cannot be written, or options do not go together.
+            A file exists or cannot be written, there is nothing to write, or options do not go together.
         ValueError
             An option with a value that it cannot have; the message names it.
 
@@ -286,6 +291,8 @@ class Blend:
         ...     [file.name for file in letters.save(folder + "/frames", n=2, ends=True)]
         ['frame-1.svg', 'frame-2.svg', 'frame-3.svg', 'frame-4.svg']
         """
+        if "output" in options:
+            raise TypeError("save takes path in place of output")
         asked = {"frames": n, "ends": ends}
         settings = self.settings.replace(**{name: x for name, x in asked.items() if x is not None})
         spec = specify(OutputOptions(output=str(path), **options), settings, len(self.drawings))
@@ -305,6 +312,10 @@ class Blend:
                 "- is standard output, which only the command writes to; the name of a file would work"
             )
         files = [Path(name) for name in spec.files()]
+        if not files:
+            raise OptionError(
+                "nothing is written: no in-betweens are asked for; ends=True would write the drawings"
+            )
         spec.format.check_libraries()
         names = *(drawing.file for drawing in self.drawings), spec.settings.timing.file
         check_targets(files, [Path(name) for name in names if name], force)
@@ -336,11 +347,18 @@ class Blend:
     def crossings(self, n: int = 20) -> int:
         """Count how often outlines cross themselves and others of their shape, in n in-betweens of each pair.
 
+        Raises
+        ------
+        ValueError
+            A number of in-betweens below 0.
+
         Examples
         --------
         >>> blend("samples/e.svg", "samples/f.svg").crossings()
         0
         """
+        if n < 0:
+            raise ValueError(f"n must be 0 or more, not {n}")
         times = frame_times(n, ends=False)
         return sum(measure(pair, t).self_crossings for pair in self.pairs for t in times)
 

@@ -108,6 +108,8 @@ def test_points_are_pairs_or_complex_numbers():
         (lambda: sb.blend(E, F).save("x.svg", duration=0), "duration must be"),
         (lambda: sb.blend(E, F).save("x.svg", fps=3), "fps is for"),
         (lambda: sb.blend(E, F).save("-"), "only the command writes to"),
+        (lambda: sb.blend(E, F).save("x", n=0), "nothing is written: .* ends=True would write"),
+        (lambda: sb.blend(E, F).crossings(-1), "n must be 0 or more, not -1"),
         (
             lambda: sb.blend([E, F, E], pins=((0, 0),)),
             "pins, match and stiff apply to two files; 3 given",
@@ -121,6 +123,20 @@ def test_points_are_pairs_or_complex_numbers():
 )
 def test_errors_name_the_field(wrong, message, here):
     with pytest.raises(ValueError, match=message):
+        wrong()
+    assert list(here.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [
+        (lambda: sb.read(text=b"<svg/>"), "text must be str, not bytes"),
+        (lambda: sb.blend(E, F, E), "settings must be Settings, not str; a list of drawings"),
+        (lambda: sb.blend(E, F).save("x.svg", output="y.svg"), "save takes path in place of output"),
+    ],
+)
+def test_arguments_of_another_kind_are_said(wrong, message, here):
+    with pytest.raises(TypeError, match=message):
         wrong()
     assert list(here.iterdir()) == []
 
