@@ -16,6 +16,7 @@ from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.cli.terminal import BatchTerminal, TerminalOptions, say
 from shapeblend_cli.errors import OptionError, ShapeblendError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
+from shapeblend_cli.job.options import REPORT_TO_FILE
 from shapeblend_cli.system.interrupts import Interrupted
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ _HELPS = {
     "output": "What each job writes: a folder of frames, an animated .svg and so on, by the end of the name, as for a "
     "single blend. {a} and {b} stand for the names of the drawings, and {n} for the number of the job.  [default: "
     f"{PATTERN}]",
+    "report": REPORT_TO_FILE,
     "force": "Do every job, and replace files even if no batch has written them, or if they were edited since.",
     "timeout": "Stop a job after S seconds; the files it was to write stay as they were.  [default: 300]",
     "max_memory": "Stop a job at so many megabytes of memory; the files it was to write stay as they were.  "

@@ -36,6 +36,12 @@ SELECT = ReadOptions.options["select_a"]._replace(
 )
 
 
+TEXT = ReadOptions.options["text"]._replace(
+    help="outline or keep: each letter is a shape, drawn with the font that the file embeds or that is installed; "
+    "skip: text is left out.",
+)
+
+
 class InspectOptions(Record, section=OUTPUT):
     """Files that `inspect` writes."""
 
@@ -53,7 +59,7 @@ PARAMS = [
     for each in (
         SELECT,
         ReadOptions.options["lenient"],
-        ReadOptions.options["text"],
+        TEXT,
         *InspectOptions.options.values(),
         *RunOptions.options.values(),
     )

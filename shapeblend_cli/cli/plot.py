@@ -8,7 +8,7 @@ import click
 
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.parameters import ABOUT_FRAMES, NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
+from shapeblend_cli.cli.terminal import ONLY_ERRORS, Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -41,6 +41,7 @@ class Kind(click.Choice):  # type: ignore[type-arg]  # generic only in newer rel
         RunOptions,
         TerminalOptions,
         without=(*ABOUT_FRAMES, "style", "viewbox", "verbose"),
+        helps={"quiet": ONLY_ERRORS},
     ),
 )
 @click.argument("kind", type=Kind(KINDS), metavar="KIND")

@@ -8,7 +8,7 @@ import click
 
 from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
-from shapeblend_cli.cli.terminal import Terminal, TerminalOptions
+from shapeblend_cli.cli.terminal import ONLY_ERRORS, Terminal, TerminalOptions
 from shapeblend_cli.job.job import check_files
 from shapeblend_cli.job.options import RunOptions, StatesOptions
 from shapeblend_cli.options.settings import ReadOptions, Settings
@@ -31,7 +31,15 @@ WITHOUT = (
 @click.command(
     cls=SectionedCommand,
     examples=EXAMPLES,
-    params=options_of(StatesOptions, ReadOptions, Settings, RunOptions, TerminalOptions, without=WITHOUT),
+    params=options_of(
+        StatesOptions,
+        ReadOptions,
+        Settings,
+        RunOptions,
+        TerminalOptions,
+        without=WITHOUT,
+        helps={"quiet": ONLY_ERRORS},
+    ),
 )
 @click.argument("files", type=NAME, nargs=-1, required=True, metavar="A.svg B.svg [C.svg ...]")
 def states(files: tuple[str, ...], **given: Any) -> None:

@@ -15,6 +15,7 @@ from shapeblend_cli.cli.group import SectionedCommand
 from shapeblend_cli.cli.parameters import NAME, options_of
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.job.job import RECORDS, STANDARD_INPUT
+from shapeblend_cli.job.options import REPORT_TO_FILE
 from shapeblend_cli.options import types
 from shapeblend_cli.options.fields import Record, option
 from shapeblend_cli.options.settings import STUDIO
@@ -31,6 +32,7 @@ PATIENCE = 600.0
 every minute."""
 
 HELPS = {
+    "report": REPORT_TO_FILE,
     "timeout": "Stop a blend after S seconds, and files after ten times as many.  [default: 60]",
     "max_memory": "Stop a blend at so many megabytes of memory.  [default: 2000]",
 }

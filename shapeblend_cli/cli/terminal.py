@@ -32,6 +32,10 @@ BAR = 30  # characters of the bar that shows how far a batch is
 CLEAR = "\r\x1b[K"
 
 
+ONLY_ERRORS = "Print only errors."
+"""Help of --quiet for commands that write no frames."""
+
+
 class TerminalOptions(Record, section=OTHER):
     """How much a command prints."""
 

@@ -39,6 +39,10 @@ class WriteOptions(Record, section=OUTPUT):
     )
 
 
+REPORT_TO_FILE = "Write the correspondence, its work, and measurements of the frames as JSON."
+"""Help of --report for commands that print no report."""
+
+
 class RunOptions(Record, section=OTHER):
     """Time and memory that a command may take."""
 

@@ -44,16 +44,23 @@ class Correspondence:
     dots : (k, 2) int
         The path through the graph, ``[i, j]`` by vertex numbers, from its start. The path of closed polygons
         returns to the first dot, which is not repeated.
+    pairs : (k, 2) int
+        The dots.
     closed : bool
+    work : float
+        What the correspondence costs: the sum of its terms.
     terms : Work
-        Its terms are attributes of the correspondence, too.
-    bound : float or callable
-        What `lower_bound` gives, or searches for it when that is asked for. It is the minimum work of any
-        correspondence of the two polygons in these directions: from any start, through any vertices, in no band,
-        exactly solved. Equal to the work if that is the least; 0 if nothing is known.
-    figures : callable
-        Counts `zero_angles`, the dots whose angle reaches zero, and measures `diagonal_deviation`, eq (30), from the
-        start, when one of them is asked for.
+        The terms are attributes of the correspondence, too: `stretching`, `bending` and `travel`.
+    lower_bound : float
+        The least work that any correspondence of the two polygons in these directions can take: from any start,
+        through any vertices, in no band, exactly solved. Equal to `work` if that is the least; 0 if nothing is known.
+        It is searched for when it is first read.
+    gap : float
+        (`work` - `lower_bound`) / `work`: how much of the work another path could save at most.
+    zero_angles : int
+        Number of dots whose angle reaches zero.
+    diagonal_deviation : float
+        Eq (30), from the start.
     sweeps : int
         Number of passes over the graph.
     """
@@ -61,8 +68,8 @@ class Correspondence:
     dots: IntArray
     closed: bool
     terms: Work
-    bound: float | Callable[[], float]
-    figures: Callable[[], Figures]
+    bound: float | Callable[[], float]  # `lower_bound`, or what searches for it
+    figures: Callable[[], Figures]  # measures what `zero_angles` and `diagonal_deviation` give
     sweeps: int
 
     def __post_init__(self) -> None:
@@ -110,7 +117,7 @@ class Correspondence:
 
     @property
     def lower_bound(self) -> float:
-        """Minimum work of any correspondence of the two polygons, see `bound`."""
+        """Minimum work of any correspondence of the two polygons in these directions."""
         return self.bound() if callable(self.bound) else self.bound
 
     @property

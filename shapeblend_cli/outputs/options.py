@@ -105,7 +105,8 @@ class OutputOptions(Record, section=PICTURES):
         default="smil",
         section=ANIMATIONS,
         help="How an animated SVG moves: SMIL or CSS animations of its paths, or all frames in turn, which works "
-        "everywhere. All stand still for those who prefer reduced motion. Safari does not play CSS animations.",
+        "everywhere. Those that repeat forever stand still for those who prefer reduced motion; with css, all do. "
+        "Safari does not play CSS animations.",
     )
     duration: float = option(
         seconds(0.01, 3600.0),
@@ -138,9 +139,10 @@ class OutputOptions(Record, section=PICTURES):
         TRIGGER,
         default=Trigger(),
         section=ANIMATIONS,
-        help="What starts an animated SVG. load: it starts by itself; click: a click or Enter plays it, and the next "
-        "one plays it back; hover: it plays when it gets the pointer or the keyboard's focus, and plays back when it "
-        "loses them; NAME.event: an event of the element with that id plays it, with --animate smil.",
+        help="What starts an animated SVG. load: it starts by itself; click: a click, Space or, with smil, Enter plays "
+        "it, and the next one plays it back; hover: it plays when it gets the pointer or the keyboard's focus, and "
+        "plays back when it loses them; NAME.event: an event of the element with that id plays it, with --animate "
+        "smil.",
         default_text="load",
     )
     format: str | None = option(
