@@ -49,8 +49,8 @@ _HELPS = {
     "report": REPORT_TO_FILE,
     "force": "Do every job, and replace files even if no batch has written them, or if they were edited since.",
     "timeout": "Stop a job after S seconds; the files it was to write stay as they were.  [default: 300]",
-    "max_memory": "Stop a job at so many megabytes of memory; the files it was to write stay as they were.  "
-    "[default: 2000]",
+    "max_memory": "Stop a job that takes more than MB megabytes of memory; the files it was to write stay as they "
+    "were.  [default: 2000]",
 }
 
 

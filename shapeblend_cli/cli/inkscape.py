@@ -32,7 +32,7 @@ def inkscape() -> None:
 def install(**given: Any) -> None:
     """Put the extension into the folder where Inkscape looks for it.
 
-    Restart Inkscape, and it has Extensions > Shapeblend. Install it again if shapeblend moves.
+    Restart Inkscape to get Extensions > Shapeblend. Run this again if shapeblend moves to another folder.
     """
     from shapeblend_cli.inkscape.extension import install as install_into
 

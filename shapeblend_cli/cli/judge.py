@@ -50,8 +50,9 @@ class JudgeOptions(Record, section=OUTPUT):
 def judge(names: tuple[str, ...], **given: Any) -> int:
     """Grade frames that any program made, from 0, as drawn by hand, to 3, unusable.
 
-    Frames are SVG or PNG files: those in a folder, or three files or more in the order given. A GIF is a strip of its
-    own. The first and the last are taken to be right. PNG and GIF need the extra shapeblend[pictures].
+    Frames are SVG or PNG files: those in a folder, or three files or more in the order given. Each folder, and each
+    GIF, is one strip of frames. The first and the last frame are taken to be right. PNG and GIF need the extra
+    shapeblend[pictures].
     """
     from shapeblend_cli.job.judged import judge_files, strips_of
 

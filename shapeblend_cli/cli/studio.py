@@ -33,8 +33,8 @@ every minute."""
 
 HELPS = {
     "report": REPORT_TO_FILE,
-    "timeout": "Stop a blend after S seconds, and files after ten times as many.  [default: 60]",
-    "max_memory": "Stop a blend at so many megabytes of memory.  [default: 2000]",
+    "timeout": "Stop a blend after S seconds, and the writing of files after ten times as long.  [default: 60]",
+    "max_memory": "Stop a blend that takes more than MB megabytes of memory.  [default: 2000]",
 }
 
 

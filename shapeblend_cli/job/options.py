@@ -57,7 +57,7 @@ class RunOptions(Record, section=OTHER):
         types.number(0.0, 1e9, above=True),
         default=None,
         metavar="MB",
-        help="Stop at so many megabytes of memory, with an error and with nothing written.",
+        help="Stop if the run takes more than MB megabytes of memory, with an error and with nothing written.",
         default_text="none",
     )
 

@@ -178,8 +178,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         section=SHAPES,
         help="What happens to a contour without a partner. point: it grows from a point or shrinks to one; split: an "
         "outline of the other drawing is cut to make a partner for it; auto: split, but only where several outlines "
-        "together fill the place of one. split and auto also open a ring whose partner has a hole less, if that takes "
-        "far less work.",
+        "together fill the place of one. split and auto also open a ring whose partner has one hole fewer, if that "
+        "takes far less work.",
     )
     solver: str = option(
         types.choice("exact", "simplified"),
@@ -196,7 +196,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.choice("auto", "exact", "fast"),
         default="auto",
         help="exact: prove the least work, however long it takes; fast: solve from coarse to fine, without proof; "
-        "auto: exact if that is quick, then near the result.",
+        "auto: solve exactly if that is quick, cut both outlines at each other's vertices, and solve again near that "
+        "result.",
     )
     preset: str | None = option(
         types.choice(*PRESETS),
@@ -275,7 +276,7 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         types.TIMING,
         default=Timetable(),
         section=IN_BETWEENS,
-        help="When each part moves: a file of JSON, or JSON itself, with starts and lengths as shares of the time: "
+        help="When each part moves: a JSON file, or JSON itself, with starts and lengths as shares of the time: "
         '{"#sun": {"start": 0.2, "length": 0.5}}. A key is the #id of a shape or a group, or the number of a shape of '
         "A as inspect prints it; B3 is shape 3 of B.",
         default_text="all move all the time",

@@ -48,7 +48,7 @@ def parse(text: str) -> Timetable:
         with open(text, "rb") as stream:
             data = stream.read(MAX_BYTES)
     except (OSError, ValueError) as error:
-        raise unreadable(text, error, "file of JSON") from None
+        raise unreadable(text, error, "JSON file") from None
     return timetable(_json(data.decode("utf-8-sig", "replace")))._replace(file=text)
 
 

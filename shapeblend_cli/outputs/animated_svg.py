@@ -1,4 +1,4 @@
-"""One SVG document that moves by SMIL, by CSS, or as frames that are visible in turn; and a module of JavaScript."""
+"""One SVG document that moves by SMIL, by CSS, or as frames that are visible in turn; and a JavaScript module."""
 
 from __future__ import annotations
 
@@ -60,13 +60,13 @@ def check_module(spec: OutputSpec) -> None:
     timing = spec.timing
     if timing.rests or timing.delay or timing.repeat != FOREVER:
         raise OptionError(
-            "a module of JavaScript plays as its page says, with the options loop and alternate; it would work "
+            "a JavaScript module plays as its page says, with the options loop and alternate; it would work "
             "without --repeat, --hold and --delay"
         )
 
 
 def render_module(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    """Return a module of JavaScript, which moves the same attributes as SMIL does."""
+    """Return a JavaScript module, which moves the same attributes as SMIL does."""
     from shapeblend_cli.svg.writing.smil import smil_svg
     from shapeblend_cli.web.module import module_js
 

@@ -178,7 +178,7 @@ class OutputOptions(Record, section=PICTURES):
     fps: int | None = option(
         whole(1, FASTEST),
         default=None,
-        help=f"Pictures per second of an animation, at most {FASTEST}, unless --frames is given.",
+        help=f"Frames per second of an animation, at most {FASTEST}, unless --frames is given.",
         default_text=_default_text("fps"),
     )
 

@@ -136,7 +136,7 @@ FORMATS: tuple[Format, ...] = (
     ),
     Format(
         "js",
-        "a module of JavaScript that plays the blend in web pages, without other libraries",
+        "a JavaScript module that plays the blend in web pages, without other libraries",
         "animated_svg.render_module",
         emit="js",
         plays=True,

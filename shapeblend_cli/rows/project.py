@@ -1,4 +1,4 @@
-"""A project: drawings and options in a file of JSON, by the names that they have in a line of a batch.
+"""A project: drawings and options in a JSON file, by the names that they have in a line of a batch.
 
 ``{"files": ["hen.svg", "pecking.svg"], "pin": ["4,9:5,8"], "duration": 1.5}``. Files are relative to its folder.
 """
@@ -83,7 +83,7 @@ def parse_project(data: bytes, where: str, base: str) -> Project:
     if not isinstance(values, dict):
         raise OptionError(f"{where}: not a JSON object; {form}")
     if not values.keys() & {"files", *LETTERS}:
-        kind = "a Lottie animation" if {"layers", "v"} <= values.keys() else "a file of JSON without drawings"
+        kind = "a Lottie animation" if {"layers", "v"} <= values.keys() else "a JSON file without drawings"
         raise OptionError(f"{where}: {kind}, not a project of shapeblend; {form}")
     return project_of(values, where, base)
 

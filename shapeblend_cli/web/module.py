@@ -1,4 +1,4 @@
-"""A blend as a module of JavaScript: the drawing with its moving attributes, and what plays it."""
+"""A blend as a JavaScript module: the drawing with its moving attributes, and what plays it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ STEPS = 40
 
 
 def module_js(animated: str, timing: Timing, pairs: int, decimals: int, name: str) -> str:
-    """Return a module of JavaScript.
+    """Return a JavaScript module.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ OPTIONS = {
     "--foo": "No such option '--foo' (",
     "--vershion": "No such option '--vershion'. Did you mean '--version'?",
     "--durations 3": "No such option '--durations'. Did you mean '--duration'?",
-    "-o x.jsx": "--output x.jsx: .jsx cannot be written; x.js would work, a module of JavaScript",
+    "-o x.jsx": "--output x.jsx: .jsx cannot be written; x.js would work, a JavaScript module",
     "-o X.MOV": "X.MOV: .mov cannot be written; X.mp4 would work, a video",
     "-n 1000000": "--frames must be at most 10000, not 1000000",
     "-n -1": "--frames must be 0 or more, not -1",
@@ -257,7 +257,7 @@ def test_a_file_of_json_that_is_no_project(three, refused):
     Path("l.json").write_text('{"v": "5.5", "layers": []}')
     refused(["l.json"], 2, "l.json: a Lottie animation, not a project of shapeblend; a project such as")
     Path("l.json").write_text("{}")
-    refused(["l.json"], 2, "l.json: a file of JSON without drawings, not a project of shapeblend")
+    refused(["l.json"], 2, "l.json: a JSON file without drawings, not a project of shapeblend")
 
 
 @pytest.mark.parametrize(("options", "words"), FAILURES.items())

@@ -273,12 +273,12 @@ shapeblend judge after --fail-over 2       # exit status 1 if the grade is worse
 ```
 
 `shapeblend judge` grades a strip of frames, whoever made them, from 0 to 3. 0 is as drawn by hand, 1 good with a
-small flaw, 2 flawed, 3 unusable. A GIF is a strip of its own. The first and the last frame are taken to be right.
-Each frame is drawn as a picture of 96 x 96 pixels. Strips of more than seven frames are thinned to seven. Clips,
-dashes and gradients are drawn roughly: with their mean colours, without dashes, whole. If the corners of the first
-and the last frame have one opaque colour, this is the ground.
+small flaw, 2 flawed, 3 unusable. Each folder, and each GIF, is one strip. The first and the last frame are taken to be
+right. Each frame is drawn as a picture of 96 x 96 pixels. Strips of more than seven frames are thinned to seven. Clips,
+dashes and gradients are drawn roughly: with their mean colours, without dashes, whole. If the corners of the first and
+the last frame have one opaque colour, this is the ground.
 
-Regression trees tell the grade. What is seen in a frame is measured in many ways: how long its edges are, how much ink
+Regression trees give the grade. What is seen in a frame is measured in many ways: how long its edges are, how much ink
 it has and how far this is spread, how thick and how thin it is, its corners, its patches of colour, holes and pieces,
 how far it is from its mirror image, in how many directions edges run, how much they bend. Each of these is compared
 with an even change from the first frame to the last, and with both of them. So are the steps from frame to frame, and
@@ -297,9 +297,9 @@ those in the right order.
 
 ## Faults
 
-Trees cannot say why. The reason that is printed is the worst of the faults below; their weighted sum is one of the
-measures above. It also decides between ways to blend two drawings, with a margin for the usual one: the trees' grades
-go in steps, the sum goes up evenly.
+The trees give no reason for a grade. The reason that is printed is the worst of the faults below; their weighted sum is
+one of the measures above. It also decides between ways to blend two drawings, with a margin for the usual one: the
+trees' grades go in steps, the sum goes up evenly.
 
 The sum is a base and what the features add to it. Each is 0 where nothing is wrong, and adds nothing then. As it
 grows, it adds more, but never more than its weight, and half of its weight where it is as large as the column "half
@@ -329,7 +329,7 @@ were graded to compare two ways to blend that were both thought good, so that th
 {checks}
 
 The report of a blend has its grade; `--fail-on poor`, `--try`, `rank` and the studio use it, too. The judge that
-chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is another one.
+chooses motions, [the page on motion](motion.md), looks at outlines, not at pictures. Its number is not this grade.
 """
 
 

@@ -1,4 +1,4 @@
-// A custom element of several states, made by shapeblend. It needs nothing else. In a module of JavaScript:
+// A custom element of several states, made by shapeblend. It needs nothing else. In a JavaScript module:
 //   import "./FILE";
 // and in the page:
 //   <ELEMENT state="STATE"></ELEMENT>

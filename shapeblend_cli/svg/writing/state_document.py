@@ -67,7 +67,7 @@ def states_svg(states: States, trigger: str | None) -> str:
 
 
 def states_js(states: States, element: str, trigger: str | None = None) -> str:
-    """Return a module of JavaScript that defines a custom element of some name.
+    """Return a JavaScript module that defines a custom element of some name.
 
     A trigger is the one of elements without an attribute for it.
     """
