@@ -1,4 +1,1 @@
-"""The parts of a drawing: contours and their roles, nesting, structure, twins.
-
-It may import geometry, model, errors.
-"""
+"""The parts of a drawing: contours and their roles, nesting, structure, twins."""

@@ -1,4 +1,1 @@
-"""Two drawings become one blend: placed, paired, matched, moved and clipped.
-
-It may import brushes, pens, pairing, motion and all below them.
-"""
+"""Two drawings become one blend: placed, paired, matched, moved and clipped."""

@@ -64,7 +64,7 @@ LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in grades."""
 
 STAYS = 0.42
-"""Minimum share of the lines that stays, of the drawing with the longer ones, for neither to make room."""
+"""Minimum share of the lines of the drawing with more of them that stays for the drawings never to be swapped."""
 
 MOST_STEPS = 1000
 """Maximum number of steps of a blend that are kept for the others that are tried: many pairs and matches are the
@@ -292,9 +292,9 @@ def _works(a: PlacedDrawing, b: PlacedDrawing, progress: Progress) -> dict[tuple
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
-    """Return the blend in which the largest fills become each other, if one was alone and that looks better.
+    """Return the blend in which the largest fill of A becomes that of B, if that looks better.
 
-    They have about one colour.
+    That is asked if either had no partner, and both have about one colour.
     """
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
     if not _is_free(settings) or paired.is_fixed:

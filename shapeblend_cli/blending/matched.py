@@ -56,7 +56,7 @@ class Progress(NamedTuple):
         return self if self.steps.keeps else self._replace(steps=Kept(most))
 
     def once(self, step: str, objects: Sequence[object], given: Hashable, make: Callable[[], T]) -> T:
-        """Return a step made of objects: as it was kept, else as it is made now."""
+        """Return what a step gives for objects: as it was kept for the very same ones, else as it is made now."""
         if not self.steps.keeps:
             return make()
         return _once(self.steps, (step, *map(id, objects), given), objects, make, 0)

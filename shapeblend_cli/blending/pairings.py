@@ -230,8 +230,7 @@ def _partners_in(paired: PairedDrawings) -> set[tuple[int | None, int | None, bo
 def _has_others(paired: PairedDrawings) -> bool:
     """Return whether other pairings may be tried: where pairs are free, and not all parts are painted alike."""
     sides = paired.a.contours, paired.b.contours
-    is_fixed = paired.changes or paired.required or paired.settings.unmatched != "auto"
-    if is_fixed or max(map(len, sides)) > AFFORDABLE:
+    if paired.is_fixed or paired.settings.unmatched != "auto" or max(map(len, sides)) > AFFORDABLE:
         return False
     return all(len({contour.style.paints for contour in side}) > 1 for side in sides)
 

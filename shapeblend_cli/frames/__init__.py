@@ -1,4 +1,1 @@
-"""Frames of a blend: their times, shapes and views; fades and stagger.
-
-It may import interpolate, options, geometry, paint, model.
-"""
+"""Frames of a blend: their times, shapes and views; fades and stagger."""

@@ -1,4 +1,1 @@
-"""Points, curves, polygons and boxes, whatever they belong to.
-
-It may import model.
-"""
+"""Points, curves, polygons and boxes, whatever they belong to."""

@@ -1,4 +1,1 @@
-"""Pictures of pixels: found, decoded within limits, and bent with the outlines around them.
-
-It may import model.
-"""
+"""Pictures of pixels: found, decoded within limits, and bent with the outlines around them."""

@@ -1,4 +1,1 @@
-"""Outlines between two drawings, or among several.
-
-It may import geometry, paint, model.
-"""
+"""Outlines between two drawings, or among several."""

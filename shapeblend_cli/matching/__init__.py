@@ -1,4 +1,1 @@
-"""The solver: the paper's graph, its work, and the path of least work.
-
-It may import options, model, errors.
-"""
+"""The solver: the paper's graph, its work, and the path of least work."""

@@ -1,4 +1,1 @@
-"""Motions of matched shapes, the judge, and the choice between them.
-
-It may import interpolate, geometry, model.
-"""
+"""Motions of matched shapes, the judge, and the choice between them."""

@@ -1,8 +1,8 @@
-"""The motion of a shape, and why: rules first, then the judge. All reasons that reports give for motions are here.
+"""The motion of a shape, and why: rules first, then the judge.
 
 The first rule of `choose` that fits a shape decides. Where none does, straight paths that look right are taken, else
 the motion that looks best to the judge (`best_motion`). For other motions than straight, shapes are matched again with
-B rotated back.
+B rotated back. The reasons for motions of a single shape are here; special blends have theirs beside them.
 """
 
 from __future__ import annotations
@@ -185,7 +185,7 @@ def crosses_at(shape: ShapeBlend, t: float) -> bool:
 
 @lru_cache(maxsize=8 * len(CHECKED_TIMES))
 def _crosses_then(moving: Moving, t: float) -> bool:
-    """Return `crosses_at` by a shape's own time; of the motion that is chosen it is asked again."""
+    """Return `crosses_at` by a shape's own time, kept: `uncrossed` asks it again of the motion that was chosen."""
     shape = moving.shape
     if shape.pace or shape.span != WHOLE:
         shape = shape._replace(span=WHOLE, pace=())

@@ -154,7 +154,10 @@ class Early(NamedTuple):
         return segments
 
     def _left(self, numbers: Numbers, size: float) -> float:
-        """Return the size of a part that has another one without its share of the time, which it has if it is none."""
+        """Return how large a part is, from 0 to 1, where it would have a size if it changed all of the time.
+
+        It is nothing during its share of the time, and grows to 1 after that; without a share it has that size.
+        """
         share = self.small.get(numbers, 0.0)
         left = max(0.0, (size - share) / (1.0 - share))
         return float(np.interp(left, *SPEED)) if share and self.knots else left

@@ -1,4 +1,1 @@
-"""Styles, colours, gradients and names between two drawings.
-
-It may import model.
-"""
+"""Styles, colours, gradients and names between two drawings."""

@@ -1,4 +1,1 @@
-"""Pairs of contours, contours without a partner, and the shapes that they make up.
-
-It may import wires, motion and all below them.
-"""
+"""Pairs of contours, contours without a partner, and the shapes that they make up."""

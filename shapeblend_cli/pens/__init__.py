@@ -1,4 +1,1 @@
-"""Pen lines: drawings as the lines that they were drawn with, each with a width, caps and joins.
-
-It may import wires, anatomy, interpolate, geometry, options, model.
-"""
+"""Pen lines: drawings as the lines that they were drawn with, each with a width, caps and joins."""

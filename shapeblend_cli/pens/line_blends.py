@@ -76,8 +76,10 @@ class LineBlend(NamedTuple):
     rest: tuple[list[PlacedContour], list[PlacedContour]]
     settings: Settings
     is_sure: bool = True  # whether outlines cannot be better
-    kept: float = 1.0  # the share of the lines that stays, of the drawing with the shorter ones
-    stays: float = 1.0  # the same of the other drawing: all of a check mark may lie on the edge of a pencil
+    kept: float = 1.0  # length of what stays, as a share of all lines of the drawing that has less of them
+    stays: float = (
+        1.0  # the same of the drawing that has more: a check mark on the edge of a pencil is little of that
+    )
 
 
 def blend_lines(

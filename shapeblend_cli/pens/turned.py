@@ -80,7 +80,7 @@ def sign_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None
 
     An i becomes an exclamation mark so: its dot would pass through its stem.
     """
-    if len(a) != len(b) or not 2 <= len(a) <= MOST_OF_SIGN or any(line.closed for line in (*a, *b)):
+    if len(a) != len(b) or not (_may_turn(a) and _may_turn(b)):
         return None
     centre, target = centre_of(a), centre_of(b)
     moving = [Whole(points, centre, target, angle=np.pi) for points in _outlines(a)]

@@ -1,4 +1,1 @@
-"""Plots of a correspondence in the style of the paper's figures.
-
-It may import job and what is below it.
-"""
+"""Plots of a correspondence in the style of the paper's figures."""

@@ -1,4 +1,1 @@
-"""The page of --preview.
-
-It may import wires, frames, interpolate, paint, svg, options, model.
-"""
+"""The page of --preview."""

@@ -1,4 +1,1 @@
-"""The studio: a page on this machine in which blends are corrected by hand.
-
-It may import rows, job and what is below them.
-"""
+"""The studio: a page on this machine in which blends are corrected by hand."""

@@ -1,4 +1,1 @@
-"""Everything that knows SVG.
-
-It may import see its packages.
-"""
+"""Everything that knows SVG."""

@@ -1,4 +1,1 @@
-"""Files written all or nothing, signals, processes, time, and memory of earlier runs.
-
-It may import errors.
-"""
+"""Files written all or nothing, signals, processes, time, and memory of earlier runs."""

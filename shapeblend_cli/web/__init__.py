@@ -1,4 +1,1 @@
-"""JavaScript that plays blends in web pages.
-
-It may import options.
-"""
+"""JavaScript that plays blends in web pages."""

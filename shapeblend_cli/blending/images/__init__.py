@@ -1,4 +1,1 @@
-"""Pictures of pixels between two drawings.
-
-It may import what `blending` may import, and `blending` itself.
-"""
+"""Pictures of pixels between two drawings."""

@@ -1,4 +1,1 @@
-"""Strokes beside outlines: expanded to outlines, drawn on and back, of several drawings, and of brushes.
-
-It may import what `blending` may import, and `blending` itself.
-"""
+"""Strokes beside outlines: expanded to outlines, drawn on and back, of several drawings, and of brushes."""

@@ -415,4 +415,4 @@ def _bending(contour: ContourBlend, least: float) -> float:
 
 def _points(segments: ComplexArray) -> ComplexArray:
     """Return points along a path, `POINTS` for each of its (k, 4) segments, and its end."""
-    return np.append(cubics.evaluate(segments[:, None], np.arange(POINTS) / POINTS), segments[-1, 3])
+    return np.append(cubics.polyline(segments, POINTS), segments[-1, 3])

@@ -1,4 +1,1 @@
-"""Recovery: the pen lines of filled shapes that are their outlines.
-
-It may import what `pens` may import, and lines of `pens`.
-"""
+"""The pen lines with which filled shapes may have been drawn."""

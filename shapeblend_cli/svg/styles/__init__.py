@@ -1,4 +1,1 @@
-"""CSS in SVG: colours, declarations, style sheets, selectors.
-
-It may import svg.xml.
-"""
+"""CSS in SVG: colours, declarations, style sheets, selectors."""

@@ -1,4 +1,1 @@
-"""SVG documents: frames, animations, figures.
-
-It may import options, paint, model.
-"""
+"""SVG documents: frames, animations, figures."""

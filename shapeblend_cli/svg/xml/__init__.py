@@ -1,4 +1,1 @@
-"""An SVG file as a tree: elements, numbers with units, transforms, and messages about them.
-
-It may import model.
-"""
+"""An SVG file as a tree: elements, numbers with units, transforms, and messages about them."""

@@ -1,4 +1,1 @@
-"""Pictures of pixels in a file.
-
-It may import svg.styles, geometry, images, svg.xml, errors, model.
-"""
+"""Pictures of pixels in a file."""

@@ -1,4 +1,1 @@
-"""Text that may stay text.
-
-It may import what `svg.reading` may.
-"""
+"""Text that may stay text."""

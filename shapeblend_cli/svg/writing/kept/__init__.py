@@ -1,4 +1,1 @@
-"""Text that stayed text, as elements.
-
-It may import what `svg.writing` may.
-"""
+"""Text that stayed text, as elements."""
