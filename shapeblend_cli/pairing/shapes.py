@@ -187,8 +187,10 @@ def _unmatched(contours: Sequence[PlacedContour], matches: Sequence[Match], here
     points = [match.points(here) for match in outer]
     bounds = np.array([Box.around(one.here).bounds for one in points])
     loose = [contour for contour in contours if contour.number not in paired and contour.role != HOLE]
-    carriers = [Carrier(match.pair[here], match.points(here)) for match in matches]
-    spots = growth_points(loose, contours, carriers) if loose else {}
+    spots = {}
+    if loose:
+        carriers = [Carrier(match.pair[here], match.points(here)) for match in matches]
+        spots = growth_points(loose, contours, carriers)
     growing: dict[int, _Unmatched] = {}
     for contour in loose:
         near = [k for k, match in enumerate(outer) if match.pair[here].shape == contour.shape]
