@@ -59,7 +59,10 @@ def strips_of(names: Sequence[str]) -> list[tuple[str, list[str]]]:
                 )
             strips.append((name, frames))
         elif not name.lower().endswith(SUFFIXES):
-            raise InputError(name, f"frames are files ending in {', '.join(SUFFIXES)}, or folders of them")
+            missing = "" if os.path.lexists(name) else "no such file or folder; "
+            raise InputError(
+                name, f"{missing}frames are files ending in {', '.join(SUFFIXES)}, or folders of them"
+            )
         elif name.lower().endswith(".gif"):
             strips.append((name, [name]))
         else:

@@ -78,7 +78,7 @@ def test_a_grade_above_the_limit_fails(tmp_path, capsys):
         (lambda p: (p / "a.txt").write_text("") or "a.txt", "a.txt: frames are files ending in"),
         (lambda p: (p / "a.png").write_bytes(b"no") and "a.png", "a.png: no PNG or GIF picture"),
         (lambda p: (p / "a.svg").write_text(svg(EVEN[0])) and "a.svg", "a.svg: 1 frame found"),
-        (lambda p: "none", "none: frames are files ending in"),
+        (lambda p: "none", "none: no such file or folder; frames are files ending in"),
         (lambda p: "none.svg", "none.svg: cannot be read"),
     ],
 )
