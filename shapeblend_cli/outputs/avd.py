@@ -175,7 +175,7 @@ def _add(parent: Element, tag: str, attributes: dict[str, str] | None = None) ->
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the drawable."""
-    from shapeblend_cli.outputs.move import left_out, moves_of, without_pictures
+    from shapeblend_cli.outputs.move import left_out, moves_of, runs_left_out, without_pictures
 
     pairs, lost = without_pictures(pairs, "Android")
     (move,), decimals = moves_of(spec.eased(pairs), trims=True), spec.decimals(pairs)
@@ -191,5 +191,6 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         *dashed,
         *too_long(move, decimals),
         *left_out(pairs, "Android"),
+        *runs_left_out(spec.timing, "a drawable of Android"),
     ]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)

@@ -24,6 +24,7 @@ from shapeblend_cli.model import (
     Style,
     Waypoint,
 )
+from shapeblend_cli.options.easing import FOREVER
 from shapeblend_cli.paint.styles import NO_PAINT, faded_coats
 from shapeblend_cli.svg.writing.ids import Ids
 
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.model import ClipBlend
-    from shapeblend_cli.options.easing import Ease
+    from shapeblend_cli.options.easing import Ease, Timing
 
 FIXED = {
     "fill": {"fill_rule": "fill rule"},
@@ -339,3 +340,10 @@ def _shows(style: Style, paint: str) -> bool:
     """Return whether a style's ``fill`` or ``stroke`` is visible."""
     is_wide = paint == "fill" or style.stroke_width > 0.0
     return getattr(style, paint) is not None and getattr(style, f"{paint}_opacity") > 0.0 and is_wide
+
+
+def runs_left_out(timing: Timing, where: str, instead: str = "") -> list[str]:
+    """Return a note on the runs that are asked for, for a format in which players decide how often to play."""
+    if timing.repeat == FOREVER:
+        return []
+    return [f"--repeat {timing.repeat} is left out of {where}: its player decides how often it runs{instead}"]

@@ -308,10 +308,16 @@ def test_paint_that_one_side_alone_shows_has_its_rule_and_caps_from_there():
         assert (items["fl"]["r"], items["st"]["lc"], items["st"]["lj"]) == (2, 2, 3)
 
 
-def test_an_archive_has_the_animation_and_a_manifest(here):
+def test_an_archive_has_the_animation_and_a_manifest(here, capsys):
     write(a=svg(BAR), b=svg(LEAF))
-    for name in ("one.json", "one.lottie", "two.lottie"):
+    for name, is_left_out in {
+        "one.json": True,
+        "one.lottie": False,
+        "two.lottie": False,
+        "one.xml": True,
+    }.items():
         assert run(["a.svg", "b.svg", "-o", name, "--repeat", "pingpong"]) == 0
+        assert ("--repeat pingpong is left out of" in capsys.readouterr().err) == is_left_out
     assert Path("one.lottie").read_bytes() == Path("two.lottie").read_bytes()
     with zipfile.ZipFile("one.lottie") as archive:
         manifest = json.loads(archive.read("manifest.json"))

@@ -314,7 +314,15 @@ def _colour(text: str) -> list[float]:
 
 
 def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
-    """Return the animation."""
+    """Return the animation, which does not say how often it runs."""
+    from shapeblend_cli.outputs.move import runs_left_out
+
+    rendered = _rendered(spec, pairs)
+    notes = runs_left_out(spec.timing, "JSON of Lottie", "; .lottie has it")
+    return rendered._replace(notes=[*rendered.notes, *notes])
+
+
+def _rendered(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     from shapeblend_cli.outputs.move import left_out, moves_of
 
     notes: list[str] = []
@@ -334,7 +342,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
 
 def render_archive(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
     """Return the animation in a zip file with its manifest, as dotLottie 1.0 has it; https://dotlottie.io/spec/1.0."""
-    rendered = render(spec, pairs)
+    rendered = _rendered(spec, pairs)
     animation = {
         "id": "animation",
         "loop": not isinstance(spec.timing.repeat, int),
