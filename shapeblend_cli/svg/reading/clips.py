@@ -22,7 +22,7 @@ from shapeblend_cli.svg.styles.declarations import substitute
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import Affine, is_sound, onto, transform_of, translation
 from shapeblend_cli.svg.xml.units import length
-from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, named
+from shapeblend_cli.svg.xml.xmltree import SHAPES, Node, Tree, named
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -84,15 +84,14 @@ class Clips:
     """The clip paths of a document, whose nodes it knows by their ids."""
 
     def __init__(
-        self, root: Node, ids: dict[str, Node], cascade: Cascade, notes: Notes, lenient: bool
+        self, tree: Tree, ids: dict[str, Node], cascade: Cascade, notes: Notes, lenient: bool
     ) -> None:
-        self._root = root
+        self._tree = tree
         self._ids = ids
         self._cascade = cascade
         self._notes = notes
         self._lenient = lenient
         self._known: dict[tuple[int, Affine], tuple[Clip, ...]] = {}
-        self._parents: dict[int, Node] = {}
         self._soft: set[int] = set()
         self._segments = 0
 
@@ -213,13 +212,8 @@ class Clips:
 
     def _around(self, node: Node) -> Inherited:
         """Return what the elements around a region hand on to it, where it is defined."""
-        if not self._parents:
-            self._parents = {id(child): each for each in self._root.walk() for child in each.children}
-        path = [node]
-        while id(path[-1]) in self._parents:
-            path.append(self._parents[id(path[-1])])
         # The walk tells what cannot be read there.
-        return in_force(self._cascade, reversed(path[1:]), lambda phrase: None)
+        return in_force(self._cascade, self._tree.around(node), lambda phrase: None)
 
     def _placed(self, child: Node, around: Inherited, matrix: Affine, lengths: Lengths) -> _Element:
         """Return an element of a region, or what it uses."""

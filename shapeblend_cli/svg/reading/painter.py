@@ -20,7 +20,7 @@ from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto
 from shapeblend_cli.svg.xml.transforms import parse as parse_transform
 from shapeblend_cli.svg.xml.units import Lengths, length
-from shapeblend_cli.svg.xml.xmltree import Node
+from shapeblend_cli.svg.xml.xmltree import Node, Tree
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.effects.tiles import Draw
@@ -37,15 +37,14 @@ _CIRCLE = 1e-9  # radii that differ by no more than this share are equal
 class Painter:
     """Makes a `Style` of the properties in force for an element of a document, whose nodes it knows by their ids."""
 
-    def __init__(self, root: Node, ids: dict[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
-        self._root = root
+    def __init__(self, tree: Tree, ids: dict[str, Node], cascade: Cascade, notes: Notes, draw: Draw) -> None:
+        self._tree = tree
         self._ids = ids
         self._draw = draw  # what is in a pattern
         self._cascade = cascade
         self._notes = notes
         self._stops: dict[int, tuple[Stop, ...]] = {}
         self._stops_read = 0
-        self._parents: dict[int, Node] = {}
         self._within: tuple[Node, ...] = ()  # the patterns and masks that are being drawn, the innermost last
         self._closing: set[tuple[int, int]] = set()  # see `circles.closing`
 
@@ -53,10 +52,10 @@ class Painter:
         """Return a painter of what is in a pattern or a mask."""
         from shapeblend_cli.svg.effects import circles
 
-        inner = Painter(self._root, self._ids, self._cascade, self._notes, draw)
+        inner = Painter(self._tree, self._ids, self._cascade, self._notes, draw)
         inner._within = (*self._within, node)
         inner._closing = (
-            self._closing if self._within else circles.closing(self._root, self._ids, self._cascade)
+            self._closing if self._within else circles.closing(self._tree.root, self._ids, self._cascade)
         )
         return inner
 
@@ -212,12 +211,7 @@ class Painter:
 
     def _around(self, node: Node) -> Inherited:
         """Return what is in force in an element, wherever it is referred to."""
-        if not self._parents:
-            self._parents = {id(child): each for each in self._root.walk() for child in each.children}
-        path = [node]
-        while id(path[-1]) in self._parents:
-            path.append(self._parents[id(path[-1])])
-        return in_force(self._cascade, reversed(path), self._notes.add)
+        return in_force(self._cascade, [*self._tree.around(node), node], self._notes.add)
 
 
 def _chain(link: str, ids: Mapping[str, Node]) -> list[Node]:

@@ -31,11 +31,11 @@ from shapeblend_cli.svg.styles.cascade import (
     with_variables,
 )
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
-from shapeblend_cli.svg.styles.selection import ancestors, no_shape, paints_nothing, select, shape_numbers
+from shapeblend_cli.svg.styles.selection import no_shape, paints_nothing, select, shape_numbers
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, transform_of, translation
 from shapeblend_cli.svg.xml.units import LIMIT, Lengths
-from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, MARKED, POINT_LISTS, SHAPES, Node
+from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, MARKED, POINT_LISTS, SHAPES, Node, Tree
 
 if TYPE_CHECKING:
     from shapeblend_cli.svg.reading.images.element import Images, PlacedImage
@@ -99,6 +99,7 @@ class Walk:
         images: tuple[str, str | None] = ("embedded", None),
     ) -> None:
         self._root = root
+        self._tree = Tree(root)
         self._notes = notes
         self._lenient = lenient
         self._is_to_blend = is_to_blend
@@ -111,18 +112,17 @@ class Walk:
         for node in root.walk():
             if name := node.get("id"):
                 self._ids.setdefault(name, node)
-        self._clips = Clips(root, self._ids, self._cascade, notes, lenient)
+        self._clips = Clips(self._tree, self._ids, self._cascade, notes, lenient)
         self._stack: list[_Visit] = []
         self._layers = Layers(self._ids, self._cascade, notes, self._content)
-        self._painter = Painter(root, self._ids, self._cascade, notes, self._content)
+        self._painter = Painter(self._tree, self._ids, self._cascade, notes, self._content)
         self._depth = self._contents = 0  # of patterns and masks: in each other, and all
         self._known_contents: dict[tuple[int, Affine, Lengths, int], Sequence[Shape] | None] = {}
         self._shapes: list[Drawn] = []
         self._skipped: Counter[str] = Counter()
         self._visits_by_use = 0
-        self._segments = 0
+        self._segments = self._painted = 0
         self._used_contours: dict[int, list[Contour]] = {}
-        self._painted = 0
         self._pixel = 1.0
         self._chosen: set[int] = set()
         self._ancestors: set[int] = set()
@@ -143,7 +143,7 @@ class Walk:
         selector = selector if numbers is None else None
         nodes = [] if selector is None else select(self._root, selector, self._notes.add)
         self._chosen = {id(node) for node in nodes}
-        self._ancestors = {id(node) for node in ancestors(self._root, nodes[0])} if nodes else set()
+        self._ancestors = {id(node) for node in self._tree.around(nodes[0])} if nodes else set()
         self._pixel = viewports.root_pixel(self._root, box)
         lengths = viewports.root_lengths(box)
         moved = viewports.root_transform(self._root, self._cascade.declared(self._root), box, self._notes)
@@ -275,7 +275,7 @@ class Walk:
         if self._depth >= MAX_CONTENT_DEPTH:
             self._notes.add(f"patterns and masks in each other deeper than {MAX_CONTENT_DEPTH} left out")
             return None
-        around = in_force(self._cascade, ancestors(self._root, node), self._notes.add)
+        around = in_force(self._cascade, self._tree.around(node), self._notes.add)
         before = self._notes.left_out
         inner = copy(self)
         inner._depth, inner._contents, inner._is_to_blend = self._depth + 1, self._contents + 1, False
@@ -327,7 +327,7 @@ class Walk:
             if mark.node in visit.used or len(visit.used) >= MAX_USE_DEPTH:
                 continue
             around = INITIAL._replace(context=(inherited.fill, inherited.stroke))
-            around = in_force(self._cascade, ancestors(self._root, mark.node), self._notes.add, around)
+            around = in_force(self._cascade, self._tree.around(mark.node), self._notes.add, around)
             clips = (*visit.clips, *(Clipped(len(visit.effects), each) for each in mark.clips(visit.matrix)))
             inner = visit.transformed(mark.matrix)._replace(node=mark.node, inherited=around, clips=clips)
             self._stack.append(inner._replace(lengths=mark.lengths, used=(*visit.used, mark.node)))

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from shapeblend_cli.svg.xml.messages import Notes, Problem, printable
-from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, SHAPES, Node
+from shapeblend_cli.svg.xml.xmltree import GROUPS, LEFT_OUT, SHAPES, Node, Tree
 
 _MAX_SELECTOR = 2_000
 _MAX_SUGGESTED, _MAX_LISTED = 3, 5
@@ -115,20 +115,6 @@ def _match(root: Node, text: str, tests: list[Any]) -> list[Node]:
     return nodes
 
 
-def ancestors(root: Node, node: Node) -> list[Node]:
-    """Return the elements around `node`, from the root inwards."""
-    path: list[Node] = []
-    stack = [(root, 0)]
-    while stack:
-        here, depth = stack.pop()
-        del path[depth:]
-        if here is node:
-            break
-        path.append(here)
-        stack.extend((child, depth + 1) for child in reversed(here.children))
-    return path
-
-
 def paints_nothing(
     root: Node, text: str, nodes: Sequence[Node], reason: str | None, painted: Sequence[str]
 ) -> Problem:
@@ -163,7 +149,7 @@ def _shapes(count: int) -> str:
 def _why(root: Node, node: Node) -> str:
     if node.tag in LEFT_OUT:
         return f"{node.tag} is not read"
-    for outer in reversed(ancestors(root, node)):
+    for outer in reversed(Tree(root).around(node)):
         if outer.tag not in GROUPS:
             return f"it stands in <{printable(outer.tag)}> and no use draws it"
     if node.tag == "use":

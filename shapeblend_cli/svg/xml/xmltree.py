@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
 from xml.parsers import expat
 
 from shapeblend_cli.svg.xml.messages import Problem, check_limit, printable
@@ -94,6 +95,25 @@ class Node:
         name = self.get("id")
         label = f" '{printable(name)}'" if name else ""
         return f"{self.tag}{label} on line {self.line}"
+
+
+class Tree:
+    """The elements of a document, and those around each."""
+
+    def __init__(self, root: Node) -> None:
+        self.root = root
+
+    @cached_property
+    def _parents(self) -> dict[int, Node]:
+        return {id(child): each for each in self.root.walk() for child in each.children}
+
+    def around(self, node: Node) -> list[Node]:
+        """Return the elements around one, from the root inwards."""
+        path = []
+        while id(node) in self._parents:
+            node = self._parents[id(node)]
+            path.append(node)
+        return path[::-1]
 
 
 def named(value: str) -> str:
