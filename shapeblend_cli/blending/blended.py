@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.anatomy.letters import has_letters
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
@@ -52,16 +52,16 @@ if TYPE_CHECKING:
     Shapes = tuple[ShapeBlend, ...]
 
 MARGIN = 0.8
-"""Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in grades."""
+"""Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in faults."""
 
 FAILS = 1.45
-"""Minimum grade of a blend by lines that is likely to be sent back."""
+"""Minimum sum of the faults of a blend by lines that is likely to be sent back."""
 
 SHIPS = 1.2
-"""Maximum grade of a blend by outlines that is not sent back."""
+"""Maximum sum of the faults of a blend by outlines that is not sent back."""
 
 LESS = 0.4
-"""Minimum advantage of outlines that are not sent back over such lines, in grades."""
+"""Minimum advantage of outlines that are not sent back over such lines, in faults."""
 
 STAYS = 0.42
 """Minimum share of the lines of the drawing with more of them that stays for the drawings never to be swapped."""
@@ -244,10 +244,10 @@ def _by_lines_or_outlines(
         return together(by_size=True)
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
-    grade = grade_of_shapes(tuple(map(in_full_width, plain)), view)
+    faults = faults_of(tuple(map(in_full_width, plain)), view)
     outlines = outlined(a, b, settings)
-    other = grade_of_shapes(paced(outlines, by_size=False), view)
-    if other < grade - (LESS if grade >= FAILS and other < SHIPS else MARGIN):
+    other = faults_of(paced(outlines, by_size=False), view)
+    if other < faults - (LESS if faults >= FAILS and other < SHIPS else MARGIN):
         return paced(outlines)
     if is_swapped(given_way := swap(plain)):
         return given_way
@@ -308,12 +308,12 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     are_paired = all(number in side for number, side in zip(numbers, known, strict=True))
     if are_paired or not are_painted_alike(largest[0].style, largest[1].style):
         return usual
-    grade = grade_of_shapes(usual, view)
-    if grade <= FINE:
+    faults = faults_of(usual, view)
+    if faults <= FINE:
         return usual
     other = pair_drawings(a, b, settings, 0.0, progress, wanted=[numbers])
     shapes = _blended(other, view)
-    return shapes if grade_of_shapes(shapes, view) < grade - BETTER else usual
+    return shapes if faults_of(shapes, view) < faults - BETTER else usual
 
 
 def _pens(

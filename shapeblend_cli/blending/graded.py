@@ -1,4 +1,4 @@
-"""The grade of a blend, by pictures of it."""
+"""The grade and the faults of a blend, by pictures of it."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ STEPS = 6
 """Number of steps between the pictures that are graded."""
 
 FINE = 0.5
-"""Maximum grade of a blend for no other to be tried."""
+"""Maximum sum of the faults of a blend for no other to be tried."""
 
 BETTER = 0.2
-"""Minimum advantage of another blend over the ordinary one for it to be taken, in grades."""
+"""Minimum advantage of another blend over the ordinary one for it to be taken, in faults."""
 
 SWAP_GRADE = 1.0
 """Grade of drawings that take each other's place: whole and clean, though nothing becomes anything."""
@@ -42,14 +42,14 @@ def grade_of(pair: Pair) -> Grade:
     return Grade(SWAP_GRADE, None) if is_swapped(pair.shapes) else grade(_strip(pair))
 
 
-def told_grade(shapes: Sequence[ShapeBlend], view: Box) -> float:
+def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return the grade of some shapes alone in a view, by which it is decided whether they are good enough."""
     from shapeblend_cli.grading.grade import grade_of_seen  # most blends are not graded
 
     return SWAP_GRADE if is_swapped(shapes) else grade_of_seen(seen_of(shapes, view)).number
 
 
-def grade_of_shapes(shapes: Sequence[ShapeBlend], view: Box) -> float:
+def faults_of(shapes: Sequence[ShapeBlend], view: Box) -> float:
     """Return the sum of the faults of some shapes alone in a view, by which blends of them compare."""
     return SWAP_GRADE if is_swapped(shapes) else _faults(_Same(tuple(shapes)), view)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.model import Box
 from shapeblend_cli.paint.oklab import difference, lightness
@@ -39,14 +39,14 @@ LEAST_SIZE = 1 / 3
 """Minimum ratio of the sizes of such parts."""
 
 PREFERRED = 0.05
-"""Minimum advantage of a pairing that is tried for it to be taken, in grades."""
+"""Minimum advantage of a pairing that is tried for it to be taken, in faults."""
 
 FORGIVEN = 0.1
-"""Maximum disadvantage of the pairing that leaves somewhat more parts alone for it to be taken, in grades: they are
+"""Maximum disadvantage of the pairing that leaves somewhat more parts alone for it to be taken, in faults: they are
 gone early, which the judge does not see, for which they shrink all of the time."""
 
 STRAYS_FORGIVEN = 0.3
-"""Maximum disadvantage of the pairing without strays for it to be taken, in grades: the judge does not see what becomes
+"""Maximum disadvantage of the pairing without strays for it to be taken, in faults: the judge does not see what becomes
 what, and 24 such pairs looked better to designers, who saw them beside the others, in 14 cases, and worse in one."""
 
 LEAST_STRAY = 0.08
@@ -105,7 +105,7 @@ def with_better_pairs(
     """
     if not _has_others(paired):
         return paired, usual
-    best = grade_of_shapes(usual, view)
+    best = faults_of(usual, view)
     if best <= FINE:
         return paired, usual
     found = paired, usual
@@ -114,26 +114,26 @@ def with_better_pairs(
         if _partners_in(other) not in seen:
             seen.append(_partners_in(other))
             shapes = move(other)
-            grade = grade_of_shapes(shapes, view) + gain
-            if grade < best:
-                best, found = grade, (other, shapes)
+            faults = faults_of(shapes, view) + gain
+            if faults < best:
+                best, found = faults, (other, shapes)
     other = _without_torn_lines(found[0])
     if _partners_in(other) not in seen:
         shapes = move(other)
-        grade = grade_of_shapes(shapes, view)
-        if grade < best - PREFERRED:
-            best, found = grade, (other, shapes)
+        faults = faults_of(shapes, view)
+        if faults < best - PREFERRED:
+            best, found = faults, (other, shapes)
     other = _without_strays(*found, view.larger_side)
     if other is found[0]:
         return found
     shapes = move(other)
-    return (other, shapes) if grade_of_shapes(shapes, view) < best + STRAYS_FORGIVEN else found
+    return (other, shapes) if faults_of(shapes, view) < best + STRAYS_FORGIVEN else found
 
 
 def _others(
     paired: PairedDrawings, works: dict[tuple[int, int], float]
 ) -> Iterator[tuple[PairedDrawings, float]]:
-    """Yield other pairings with what they have to gain to be taken, in grades; less than 0 if they may lose."""
+    """Yield other pairings with what they have to gain to be taken, in faults; less than 0 if they may lose."""
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
     for rates, gain in zip(STRICTER, (PREFERRED, -FORGIVEN, PREFERRED), strict=True):
         yield pair_drawings(a, b, settings, 0.0, progress, rates=rates._replace(works=works)), gain

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, points_at
 from shapeblend_cli.model import Box
@@ -51,7 +51,7 @@ COPIED = 0.85
 """Minimum share of points that are in the other drawing when it is turned."""
 
 LITTLE_LEFT = 0.95
-"""Maximum grade of what a drawing does besides turning."""
+"""Maximum sum of the faults of what a drawing does besides turning."""
 
 LITTLE_MOVED = 0.25
 """Maximum mean distance that points of a drawing move besides turning, as a share of its size; or else of their
@@ -86,12 +86,12 @@ def turned_as_a_whole(
     way = way_between(a, b)
     if way is None:
         return _turned_to_its_axis(a, b, view, as_usual, blend)
-    if grade_of_shapes(as_usual, view) <= FINE:
+    if faults_of(as_usual, view) <= FINE:
         return as_usual
     turned = way if way.angle else way._replace(angle=np.pi, over=0j)
     beside = blend(a, turned_back(b, turned))
     keeps = turned is way or _keeps_its_parts(beside, lambda points: turned.undo(way.apply(points)))
-    if keeps and grade_of_shapes(beside, view) <= LITTLE_LEFT:
+    if keeps and faults_of(beside, view) <= LITTLE_LEFT:
         return carried(beside, turned, TURNED)
     if turned is way or (not is_swapped(as_usual) and _is_clean(as_usual, view)):
         return as_usual
@@ -113,13 +113,13 @@ def _turned_to_its_axis(
     if abs(angle) < LEAST_TURN:
         return as_usual
     in_a, in_b = (Box.union([contour.box for contour in side.contours]).centre for side in (a, b))
-    tried = [(grade_of_shapes(as_usual, view), as_usual)]
+    tried = [(faults_of(as_usual, view), as_usual)]
     for turn in (angle, angle - np.copysign(np.pi, angle)):
         way = Whole(in_a, in_b, float(turn))
         beside = blend(a, turned_back(b, way))
         # The long way round must gain more.
         margin = BETTER * max(1.0, abs(turn) / (0.5 * np.pi))
-        tried.append((grade_of_shapes(beside, view) + margin, carried(beside, way, POINTS_ELSEWHERE)))
+        tried.append((faults_of(beside, view) + margin, carried(beside, way, POINTS_ELSEWHERE)))
     return min(tried, key=lambda one: one[0])[1]
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import BETTER, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, faults_of
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
@@ -47,7 +47,7 @@ WAYS: tuple[tuple[dict[str, Any], ...], ...] = (
 bending, and motion by lengths and angles."""
 
 WORSE = 0.15
-"""Maximum disadvantage of a blend without crossings over one with them for it to be taken, in grades."""
+"""Maximum disadvantage of a blend without crossings over one with them for it to be taken, in faults."""
 
 LEAST_AREA = 0.7
 """Minimum area of an in-between, as a share of an even change, for no other way to be tried."""
@@ -96,8 +96,8 @@ def with_crossings_undone(
     paired = pair()
     if paired.is_fixed or max(len(paired.a.contours), len(paired.b.contours)) > MOST:
         return usual
-    grade = grade_of_shapes(usual, view)
-    clean, better = _limits(usual, grade)
+    faults = faults_of(usual, view)
+    clean, better = _limits(usual, faults)
     found, least = usual, (fault, np.inf)
     share = min(1.0, AFFORDABLE / max(_dots(paired) * sum(map(len, WAYS)), 1))
     for ways in WAYS:
@@ -107,10 +107,10 @@ def with_crossings_undone(
             shapes = move(paired._replace(settings=paired.settings.replace(**way)))
             its = fault_of(shapes)
             if its != fault and (its == least[0] or its.is_less(least[0])):
-                its_grade = grade_of_shapes(shapes, view)
-                is_taken = its_grade <= (better if its.crossed else clean)
-                if is_taken and (its != least[0] or its_grade < least[1]):
-                    found, least = shapes, (its, its_grade)
+                its_faults = faults_of(shapes, view)
+                is_taken = its_faults <= (better if its.crossed else clean)
+                if is_taken and (its != least[0] or its_faults < least[1]):
+                    found, least = shapes, (its, its_faults)
         if not any(least[0]):
             break
     return found if found is usual else tuple(map(_with_reason, found))
@@ -121,13 +121,13 @@ def _dots(paired: PairedDrawings) -> int:
     return sum(len(p.polygon.vertices) * len(q.polygon.vertices) for (p, q), _ in paired.pairs.values())
 
 
-def _limits(shapes: Shapes, grade: float) -> tuple[float, float]:
-    """Return the grades up to which a blend is taken without crossings, and with fewer, in place of one with a grade.
+def _limits(shapes: Shapes, faults: float) -> tuple[float, float]:
+    """Return the faults up to which a blend is taken without crossings, and with fewer, in place of one with so many.
 
     Crossings of a hair hardly show.
     """
     is_seen = any(dict(shape.taken.terms)["folds"] > 0.0 for shape in shapes if shape.taken is not None)
-    return grade + (WORSE if is_seen else 0.0), grade - BETTER
+    return faults + (WORSE if is_seen else 0.0), faults - BETTER
 
 
 def _is_other(shape: ShapeBlend) -> bool:

@@ -22,7 +22,7 @@ def test_parts_do_not_become_unlike_ones_if_that_looks_better(monkeypatch):
     def number_of_pairs(shapes, view):
         return float(sum(contour.is_matched for shape in shapes for contour in shape.contours))
 
-    monkeypatch.setattr(pairings, "grade_of_shapes", number_of_pairs)
+    monkeypatch.setattr(pairings, "faults_of", number_of_pairs)
     assert partners(pair_of(A, B)) == {(0, 0)}
     assert partners(pair_of(B, A)) == {(0, 0)}
 
@@ -37,7 +37,7 @@ def test_unlike_parts_are_rather_alone_if_that_looks_about_as_good(monkeypatch, 
         drawing(f'<path fill="#ffdc5d" d="{body}"/>{part}', viewbox="0 0 64 64")
         for body, part in ((HAND, far), (FIST, near))
     ]
-    monkeypatch.setattr(pairings, "grade_of_shapes", grade)
+    monkeypatch.setattr(pairings, "faults_of", grade)
     for pair in (ends, ends[::-1]):
         assert partners(pair_of(*pair)) == ({(0, 0)} if is_taken else {(0, 0), (1, 1)})
 
@@ -56,7 +56,7 @@ def test_drawings_of_one_paint_are_left_as_they_are(monkeypatch):
     def fail(*arguments):
         raise AssertionError
 
-    monkeypatch.setattr(pairings, "grade_of_shapes", fail)
+    monkeypatch.setattr(pairings, "faults_of", fail)
     bars = drawing(f'<path d="{HAND}"/><path d="M4 4h4v16h-4z"/>'), drawing(f'<path d="{FIST}"/>')
     assert (0, 0) in partners(pair_of(*bars, swap="never"))
 
@@ -104,7 +104,7 @@ def test_what_would_stray_to_something_of_another_colour_is_rather_alone(
         drawing(f'<path fill="#ffdc5d" d="{body}"/><path fill="{paint}" d="{part}"/>', viewbox="0 0 64 64")
         for body, paint, part in ((HAND, "#dd2e44", "M18 30h14v10h-14z"), (FIST, colour, there))
     ]
-    monkeypatch.setattr(pairings, "grade_of_shapes", grade)
+    monkeypatch.setattr(pairings, "faults_of", grade)
     for pair in (ends, ends[::-1]):
         assert partners(pair_of(*pair)) == ({(0, 0)} if is_alone else {(0, 0), (1, 1)})
 
@@ -116,7 +116,7 @@ def test_the_line_around_what_would_stray_goes_with_it(monkeypatch):
         f'<path fill="#ffdc5d" d="{HAND}"/><path fill="#dd2e44" d="{part}"/>{line}', viewbox="0 0 64 64"
     )
     b = drawing(f'<path fill="#ffdc5d" d="{FIST}"/><path fill="#5dadec" d="{there}"/>', viewbox="0 0 64 64")
-    monkeypatch.setattr(pairings, "grade_of_shapes", lambda shapes, view: 2.0)
+    monkeypatch.setattr(pairings, "faults_of", lambda shapes, view: 2.0)
     for pair in ((a, b), (b, a)):
         assert partners(pair_of(*pair)) == {(0, 0)}
 
@@ -129,5 +129,5 @@ def test_dark_parts_stay_what_they_are(monkeypatch):
             (FIST, "#31373d", "M33 42h10v10h-10z"),
         )
     ]
-    monkeypatch.setattr(pairings, "grade_of_shapes", lambda shapes, view: 1.0)
+    monkeypatch.setattr(pairings, "faults_of", lambda shapes, view: 1.0)
     assert partners(pair_of(*ends)) == {(0, 0), (1, 1)}

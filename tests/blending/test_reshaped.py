@@ -158,7 +158,7 @@ def test_what_is_clipped_shrinks_and_grows(tmp_path):
 
 @pytest.mark.parametrize(("told", "is_bad"), [(FLAWED - 0.01, False), (FLAWED, True)])
 def test_several_colours_are_flawed_from_a_grade_on(monkeypatch, told, is_bad):
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: told)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: told)
     (pair,) = sb.blend(FIST, PALM, swap="never").pairs
     assert is_flawed(pair.shapes, pair.views[0]) == is_bad
     one = [

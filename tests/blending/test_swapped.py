@@ -304,17 +304,17 @@ def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, files, lim
         ink = np.array([[0.0, covered, 1.0 - covered], [1.0] * 3, [0.0, covered, 0.0]])
 
     (pair,) = sb.blend(*files, swap="never").pairs
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: FAULTY)
     monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
     monkeypatch.setattr(unlike, "_main_bending", lambda shapes: bent)
     least = min(
         max(limit.least - limit.per_bent * bent + limit.in_common * covered, limit.told) for limit in limits
     )
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: least - 0.01)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: least - 0.01)
     assert not is_hopeless(pair.shapes, pair.views[0])
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: least + 0.01)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: least + 0.01)
     assert is_hopeless(pair.shapes, pair.views[0])
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY - 0.01)
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: FAULTY - 0.01)
     assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
 
 
@@ -326,18 +326,18 @@ def test_a_sign_with_a_badge_is_blended_however_much_its_outline_is_bent_by_that
         ink = np.array([[covered, 0.0], [1.0, 1.0], [1.0, 0.0]])
 
     (pair,) = sb.blend(*SIGN, swap="never").pairs
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: FAULTY)
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: FAULTY)
     monkeypatch.setattr(unlike, "seen_of", lambda shapes, view: Seen)
     monkeypatch.setattr(unlike, "_main_bending", lambda shapes: WHOLLY)
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: 1.6)
+    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 1.6)
     assert is_hopeless(pair.shapes, pair.views[0]) == is_worse
 
 
 @pytest.fixture
 def always_bad(monkeypatch):
     """Let any blend be graded as unusable."""
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: 3.0)
     monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
-    monkeypatch.setattr(unlike, "told_grade", lambda shapes, view: 3.0)
 
 
 def is_given_up(pair):
@@ -386,9 +386,9 @@ def test_long_drawings_that_turn_to_each_other_are_given_up_as_others_are(monkey
     ends = [drawing(f'<path fill-rule="evenodd" d="{d}"/>') for d in (pencil, brush)]
     (pair,), _ = match_all(ends, Settings(swap="never"))
     assert {shape.reason for shape in pair.shapes} == {POINTS_ELSEWHERE}
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: 3.0)
     for told, is_bad in ((3.0, True), (0.5, False)):
-        monkeypatch.setattr(unlike, "told_grade", lambda shapes, view, told=told: told)
+        monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view, told=told: told)
         assert is_given_up(pair) == is_bad
 
 
@@ -432,7 +432,7 @@ def test_the_largest_outline_says_how_much_is_bent():
 def test_lines_that_can_be_read_may_have_a_worse_grade(monkeypatch, a, b, least):
     found = []
     usual = unlike._least_told
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: 3.0)
+    monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: 3.0)
     monkeypatch.setattr(unlike, "_least_told", lambda *given: found.append(usual(*given)) or found[-1])
     blended(f"lucide/{a}.svg", f"lucide/{b}.svg")
     assert found == [least]

@@ -53,7 +53,7 @@ def test_nothing_is_graded_where_nothing_crosses(monkeypatch):
     def fail(*arguments):
         raise AssertionError
 
-    monkeypatch.setattr(uncrossed, "grade_of_shapes", fail)
+    monkeypatch.setattr(uncrossed, "faults_of", fail)
     assert fault(PLUS, STAR) == Fault()
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
-from shapeblend_cli.blending.graded import grade_of_shapes
+from shapeblend_cli.blending.graded import faults_of
 from shapeblend_cli.blending.plates.inverted import NEAR, distance_between, growing, is_blend_of
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.interpolate.paths import with_curves
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     Shapes = tuple[ShapeBlend, ...]
 
 SHIPS = 1.25
-"""Minimum grade of the usual blend for gaps to close in a ring without a handle."""
+"""Minimum sum of the faults of the usual blend for gaps to close in a ring without a handle."""
 
 LEAST_FILLED = 0.3
 """Minimum share of a hole that its island fills."""
@@ -84,7 +84,7 @@ def with_gaps_closed(
 
             edge, drawn = ring_and_handles(own, settings, view, here)
             gap = gap._replace(exterior=_outer_edge(gap, edge)) if edge else gap
-        if not drawn and grade_of_shapes(usual, view) < SHIPS:
+        if not drawn and faults_of(usual, view) < SHIPS:
             return usual
         shapes = (_closing(gap, solid, seat, settings, here), *drawn)
         return shapes if is_blend_of(shapes, a, b, view) else usual

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, LINE
-from shapeblend_cli.blending.graded import FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import FINE, faults_of
 from shapeblend_cli.geometry.polygons import centroid, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.interpolate.paths import with_curves
@@ -69,7 +69,7 @@ def with_signs_inverted(
     if max(len(a.contours), len(b.contours)) > MOST_CONTOURS:
         return usual
     places = _in_place(a.contours, b.contours, NEAR * view.larger_side)
-    if not places.is_inverted or grade_of_shapes(usual, view) <= FINE:
+    if not places.is_inverted or faults_of(usual, view) <= FINE:
         return usual
     matched = [(p, q, match_contours(p, q, settings, Constraints())) for p, q in places.pairs]
     contours = [blend for _, _, blend in matched]

@@ -11,7 +11,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import HOLE
-from shapeblend_cli.blending.graded import BETTER, FINE, grade_of_shapes
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.plates.inverted import is_blend_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ShapeBlend
@@ -56,7 +56,7 @@ WRONG = 0.16
 """Minimum fault of a shape's outlines for a blend to be graded."""
 
 TURNED = 0.1
-"""Minimum advantage of strokes that turn as they go, which may leave the view, in grades."""
+"""Minimum advantage of strokes that turn as they go, which may leave the view, in faults."""
 
 BECOMES = "a brush stroke that becomes another"
 DRAWN_BACK, DRAWN_ON = "a brush stroke that is drawn back", "a brush stroke that is drawn on"
@@ -85,8 +85,8 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     strokes_b = _strokes(b, widths[1], scale) if strokes_a is not None else None
     if strokes_a is None or strokes_b is None:
         return usual
-    grade = grade_of_shapes(usual, view)
-    if grade <= FINE:
+    faults = faults_of(usual, view)
+    if faults <= FINE:
         return usual
     brushes_a = _brushes(strokes_a, widths[0])
     brushes_b = _brushes(strokes_b, widths[1]) if brushes_a is not None else None
@@ -95,7 +95,7 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
     from shapeblend_cli.brushes import stroke_blends  # few drawings are handwriting
 
     brushes = brushes_a, brushes_b
-    best = grade - BETTER
+    best = faults - BETTER
     paired = stroke_blends.paired_strokes(*brushes)
     ways = (stroke_blends.vertices_of(paired, wires) for wires in (None, settings))
     for vertices, turns in product(ways, (False, True)):
@@ -103,7 +103,7 @@ def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: B
         if found is None:
             continue
         shape = _shape(found, brushes, (a, b), settings, scale)
-        own = grade_of_shapes((shape,), view) + (TURNED if turns else 0.0)
+        own = faults_of((shape,), view) + (TURNED if turns else 0.0)
         if own < best and is_blend_of((shape,), a, b, view):
             best, usual = own, (shape,)
     return usual

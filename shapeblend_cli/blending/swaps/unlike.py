@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import grade_of_shapes, seen_of, told_grade
+from shapeblend_cli.blending.graded import faults_of, grade_of_shapes, seen_of
 from shapeblend_cli.blending.parts.paced import is_coloured
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
@@ -170,15 +170,15 @@ def are_too_unlike(
     if not (solids and strokes):
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
-    grade = grade_of_shapes(tuple(map(in_full_width, shapes)), view)
-    return outlines > DETAILED * view.larger_side and grade >= SENT_BACK
+    faults = faults_of(tuple(map(in_full_width, shapes)), view)
+    return outlines > DETAILED * view.larger_side and faults >= SENT_BACK
 
 
 def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine], view: Box) -> bool:
     """Return whether trees grade a blend by lines too badly, the sooner the more of its ends come loose."""
-    if grade_of_shapes(tuple(map(in_full_width, shapes)), view) < FAULTY:
+    if faults_of(tuple(map(in_full_width, shapes)), view) < FAULTY:
         return False
-    grade, least = told_grade(shapes, view), _least_told(shapes, lines, others)
+    grade, least = grade_of_shapes(shapes, view), _least_told(shapes, lines, others)
     if grade < least - PER_LOOSE_END * MOST_LOOSE:
         return False
     return grade >= least or grade + PER_LOOSE_END * loose_ends(shapes) >= least
@@ -186,7 +186,7 @@ def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[Pen
 
 def is_flawed(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings of several colours is likely to be sent back: trees tell these apart best."""
-    return is_coloured(shapes) and _is_faulty(shapes, view) and told_grade(shapes, view) >= FLAWED
+    return is_coloured(shapes) and _is_faulty(shapes, view) and grade_of_shapes(shapes, view) >= FLAWED
 
 
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
@@ -198,7 +198,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
         return False
     first, last = ink_of(shapes, view)
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
-    told, bent = told_grade(shapes, view), _main_bending(shapes)
+    told, bent = grade_of_shapes(shapes, view), _main_bending(shapes)
     limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
@@ -213,7 +213,7 @@ def _is_faulty(shapes: Shapes, view: Box) -> bool:
         return False
     if any(map(_is_inlaid, shapes)) or all(map(_is_turned_copy, shapes)):
         return False
-    return grade_of_shapes(shapes, view) >= FAULTY
+    return faults_of(shapes, view) >= FAULTY
 
 
 def ink_of(shapes: Shapes, view: Box) -> tuple[PictureArray, PictureArray]:
