@@ -102,11 +102,17 @@ def _share_with_sign(vertices: ComplexArray, sign: int) -> float:
     return float(np.count_nonzero(numbers * sign > 0) / inside) if inside else 0.0
 
 
+def polyline_contour(vertices: ComplexArray, closed: bool = True) -> Contour:
+    """Return the contour that goes straight from vertex to vertex, (k,) complex; closed, as that of a polygon."""
+    segments = cubics.lines(vertices, closed)
+    return Contour(segments, np.ones(len(segments), bool), closed)
+
+
 def rectangle(box: Box) -> Contour:
     """Return the outline of a box, from its first corner along its width."""
     left, top, right, bottom = box.bounds
     corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
-    return Contour(cubics.lines(np.array(corners), closed=True), np.ones(4, bool), closed=True)
+    return polyline_contour(np.array(corners))
 
 
 def reverse_contour(contour: Contour) -> Contour:

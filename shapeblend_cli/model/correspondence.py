@@ -80,6 +80,11 @@ class Correspondence:
         """Return a correspondence that was given, not solved, without its work."""
         return cls(dots, closed, Work(), bound=0.0, figures=Figures, sweeps=0)
 
+    @classmethod
+    def one_to_one(cls, count: int, closed: bool) -> Correspondence:
+        """Return that of two polygons of as many vertices, each of which becomes that of its number."""
+        return cls.without_work(np.arange(count)[:, None].repeat(2, axis=1), closed)
+
     @property
     def pairs(self) -> IntArray:
         """The dots: pairs of vertex numbers."""

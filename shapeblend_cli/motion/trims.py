@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import lines as straight_lines
-from shapeblend_cli.model import CubicPath, Trim
+from shapeblend_cli.geometry.polygons import polyline_contour
+from shapeblend_cli.model import Trim
 from shapeblend_cli.motion.pen import Drawing, Riding
 
 if TYPE_CHECKING:
@@ -37,8 +37,8 @@ def trim_of(motion: Pen) -> Trim | None:
         off = np.abs(points - (1.0 - t) * start - t * end).max() / _length(points)
         if max(off, np.abs(np.array(shares) - (np.array(part) + next_part) / 2.0).max()) > OFF:
             return None
-    paths = [CubicPath(straight_lines(p, False), np.ones(len(p) - 1, bool), False) for p in (start, end)]
-    return Trim(paths[0], paths[1], tuple((t, part) for t, (_, part) in stops))
+    parts = tuple((t, part) for t, (_, part) in stops)
+    return Trim(polyline_contour(start, False), polyline_contour(end, False), parts)
 
 
 def _drawing(moving: Moving | None) -> Drawing | None:

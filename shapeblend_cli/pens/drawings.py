@@ -10,11 +10,10 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE, PlacedDrawing, decompose
 from shapeblend_cli.errors import InputError
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.geometry.polygons import polyline_contour, signed_area
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model import Box
 from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.pens.joints import joined
 from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
@@ -254,8 +253,7 @@ def _rest(polygon: ComplexArray, exterior: PlacedContour, vertices: int) -> Plac
     """Return what sticks out of the lines of an exterior as a contour, oriented like that."""
     if signed_area(polygon) * signed_area(exterior.polygon.vertices) < 0.0:
         polygon = polygon[::-1]
-    segments = straight_lines(polygon, closed=True)
-    contour = Contour(segments, np.ones(len(segments), bool), closed=True)
+    contour = polyline_contour(polygon)
     share = length(np.append(polygon, polygon[0])) / max(length(exterior.polygon.vertices), 1e-12)
     flat = flatten(contour, max(LEAST_VERTICES, int(share * vertices)))
     return exterior._replace(contour=contour, polygon=flat, role=EXTERIOR, exterior=None)

@@ -7,18 +7,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.placement import to_unit_box
-from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import polyline_contour, signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places, needed
 from shapeblend_cli.matching.solve import priced
 from shapeblend_cli.matching.work import Wires
 from shapeblend_cli.model import (
     Box,
-    Contour,
     ContourBlend,
     Correspondence,
-    CubicPath,
     Fade,
     LinePart,
     Polygon,
@@ -191,19 +188,17 @@ def contour_blend(
         polygons.append(
             Polygon(own, np.arange(count) % max(1, count - (not closed)), np.zeros(count), closed)
         )
-        lines = straight_lines(points, closed)
-        paths.append(CubicPath(lines, np.ones(len(lines), bool), closed))
+        paths.append(polyline_contour(points, closed))
     dots = np.stack(vertices, axis=1)
     distinct = np.append(True, np.any(np.diff(dots, axis=0) != 0, axis=1))
     correspondence = _priced(polygons[0], polygons[1], dots[distinct], constants)
-    first, last = (Contour(path.segments, path.straight, closed) for path in paths)
     size_a, size_b = (max(Box.around(points).larger_side, 1e-9) for points in ends)
     every = np.arange(len(ends[0]) + closed, dtype=float)
     return ContourBlend(
         numbers[0],
         numbers[1],
-        first,
-        last,
+        paths[0],
+        paths[1],
         polygons[0],
         polygons[1],
         size_a,

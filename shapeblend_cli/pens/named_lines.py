@@ -11,9 +11,8 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.errors import MatchError
-from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.model import Contour
+from shapeblend_cli.geometry.polygons import polyline_contour
 from shapeblend_cli.pens.line import foot_points
 from shapeblend_cli.wires.constraints import Constraints, has_numbers
 from shapeblend_cli.wires.match import match_contours
@@ -151,8 +150,7 @@ def along_wires(
 
 
 def _wire(line: PenLine, settings: Settings) -> PlacedContour:
-    segments = straight_lines(line.points, line.closed)
-    contour = Contour(segments, np.ones(len(segments), bool), line.closed)
+    contour = polyline_contour(line.points, line.closed)
     role = EXTERIOR if line.closed else LINE
     polygon = flatten(contour, settings.vertices)
     return PlacedContour(0, line.shape, contour, polygon, role, None, line.style)

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.cubics import lines as straight_lines
-from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.polygons import polyline_contour, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box, Contour
@@ -118,8 +117,7 @@ def _named(drawing: Drawing, contours: Sequence[Contour]) -> list[tuple[str, Con
     found = [(str(number), contour, False) for number, contour in enumerate(contours) if number in bodies]
     for line in pens.lines:
         points = line.points if len(line.points) > 1 else np.repeat(line.points, 2)
-        segments = straight_lines(points / scale, line.closed)
-        found.append((line.name, Contour(segments, np.ones(len(segments), bool), line.closed), True))
+        found.append((line.name, polyline_contour(points / scale, line.closed), True))
     return sorted(found, key=lambda each: [int(part) for part in each[0].replace("+", ".").split(".")])
 
 

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
-from shapeblend_cli.model import ContourBlend, Correspondence, CubicPath, Polygon, unroll
+from shapeblend_cli.geometry.polygons import polyline_contour
+from shapeblend_cli.model import ContourBlend, Correspondence, Polygon, unroll
 from shapeblend_cli.wires.contour_match import Solved
 
 if TYPE_CHECKING:
@@ -26,17 +26,24 @@ def blend_along(
     period = len(a.polygon.vertices), len(b.polygon.vertices)
     positions = unroll(dots, period if closed else None)
     start, end = (
-        CubicPath(
-            lines := cubics.lines(flat.polygon.vertices[dots[:, side]], closed),
-            np.ones(len(lines), np.bool_),
-            closed,
-        )
-        for side, flat in enumerate((a, b))
+        polyline_contour(flat.polygon.vertices[dots[:, side]], closed) for side, flat in enumerate((a, b))
     )
     cuts = positions[:, 0], positions[:, 1]
     return ContourBlend(
         *numbers, a.contour, b.contour, a.polygon, b.polygon, *scales, correspondence, start, end, cuts
     )
+
+
+def vertex_by_vertex(
+    numbers: tuple[int | None, int | None], a: ComplexArray, b: ComplexArray, scales: tuple[float, float]
+) -> ContourBlend:
+    """Return a blend of two closed polygons of as many vertices, each of which becomes one."""
+    count = len(a)
+    flat_a, flat_b = (
+        FlatContour(polyline_contour(points), Polygon(points, np.arange(count), np.zeros(count), True))
+        for points in (a, b)
+    )
+    return blend_along(numbers, Solved(flat_a, flat_b, Correspondence.one_to_one(count, closed=True)), scales)
 
 
 def grow_from_point(contour: PlacedContour, point: complex, *, of_b: bool) -> ContourBlend:
@@ -69,9 +76,7 @@ def follow(contour: PlacedContour, image: FlatContour, vertices: IntArray, *, of
 
 def keep_still(contour: PlacedContour, numbers: tuple[int | None, int | None]) -> ContourBlend:
     """Return a blend of a contour that stays as it is, for two contours with these numbers."""
-    vertices = np.arange(len(contour.polygon.vertices))
-    dots = np.stack([vertices, vertices], axis=1)
-    found = Correspondence.without_work(dots, contour.polygon.closed)
+    found = Correspondence.one_to_one(len(contour.polygon.vertices), contour.polygon.closed)
     size = contour.box.larger_side
     return blend_along(numbers, Solved(contour.flat, contour.flat, found), (size, size))
 

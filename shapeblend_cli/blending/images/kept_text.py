@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.geometry import cubics
-from shapeblend_cli.model import UNNAMED, Contour
+from shapeblend_cli.geometry.polygons import polyline_contour
+from shapeblend_cli.model import UNNAMED
 from shapeblend_cli.model.words import words_in
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Drawing, Picture, Shape
+    from shapeblend_cli.model import Contour, Drawing, Picture, Shape
     from shapeblend_cli.model.words import Words
 
 
@@ -70,5 +70,5 @@ def _one(letters: Sequence[Shape]) -> Shape:
 
 
 def _outline(picture: Picture) -> Contour:
-    corners = picture.origin + np.array([0.0, picture.across, picture.across + picture.down, picture.down])
-    return Contour(cubics.lines(corners, True), np.ones(4, np.bool_), True)
+    sides = np.array([0.0, picture.across, picture.across + picture.down, picture.down])
+    return polyline_contour(picture.origin + sides)

@@ -12,22 +12,19 @@ import numpy as np
 
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.errors import InputError, MatchError
-from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.interpolate.paths import with_curves
-from shapeblend_cli.model import Contour, Correspondence, Fade, Polygon, ShapeBlend, control_box
+from shapeblend_cli.model import Box, Fade, ShapeBlend, control_box
 from shapeblend_cli.model.words import words_in
 from shapeblend_cli.motion.rigid import Posed
 from shapeblend_cli.paint.styles import painted_as
-from shapeblend_cli.wires.contour_blends import blend_along, keep_still
-from shapeblend_cli.wires.contour_match import Solved
+from shapeblend_cli.wires.contour_blends import keep_still, vertex_by_vertex
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
     from shapeblend_cli.blending.matched import Progress
-    from shapeblend_cli.model import Box, ContourBlend, Drawing, Picture, Pose, Style
+    from shapeblend_cli.model import ContourBlend, Drawing, Picture, Pose, Style
     from shapeblend_cli.options.settings import Settings
 
     Shapes = tuple[ShapeBlend, ...]
@@ -197,18 +194,10 @@ def _picture_blend(pair: Pair, settings: Settings) -> ShapeBlend:
 
 def _contour_blend(pair: Pair, start: Pose, end: Pose) -> ContourBlend:
     """Return the blend of the outlines of two pictures, corner by corner."""
-    flat = [_outline(pose) for pose in (start, end)]
-    dots = np.repeat(np.arange(4)[:, None], 2, axis=1)
-    solved = Solved(flat[0], flat[1], Correspondence.without_work(dots, True))
+    a, b = (np.array(pose.corners) for pose in (start, end))
     numbers = tuple(None if c is None else c.number for c in (pair.a, pair.b))
-    sizes = flat[0].polygon.box.larger_side, flat[1].polygon.box.larger_side
-    return blend_along((numbers[0], numbers[1]), solved, sizes)._replace(reason=pair.reason)
-
-
-def _outline(pose: Pose) -> FlatContour:
-    corners = np.array(pose.corners)
-    contour = Contour(cubics.lines(corners, True), np.ones(4, np.bool_), True)
-    return FlatContour(contour, Polygon(corners, np.arange(4), np.zeros(4), True))
+    sizes = Box.around(a).larger_side, Box.around(b).larger_side
+    return vertex_by_vertex((numbers[0], numbers[1]), a, b, sizes)._replace(reason=pair.reason)
 
 
 def _fading(drawing: PlacedDrawing, end: int, settings: Settings) -> list[ShapeBlend]:

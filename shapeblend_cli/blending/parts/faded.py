@@ -204,8 +204,7 @@ def _bent(contour: ContourBlend, end: int, here: ComplexArray, there: ComplexArr
     own, polygon = (contour.contour_b, contour.polygon_b) if end else (contour.contour_a, contour.polygon_a)
     far = replace(path, segments=image(path.segments))
     beyond = replace(own, segments=image(own.segments)), replace(polygon, vertices=image(polygon.vertices))
-    vertices = np.arange(len(polygon.vertices))
-    found = Correspondence.without_work(np.stack([vertices, vertices], axis=1), polygon.closed)
+    found = Correspondence.one_to_one(len(polygon.vertices), polygon.closed)
     cuts = (contour.cuts[end],) * 2
     contour = contour._replace(correspondence=found, cuts=cuts, root=None)
     if end:

@@ -15,14 +15,11 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import needed
-from shapeblend_cli.model import Contour, Correspondence, Polygon
 from shapeblend_cli.pens.drawings import recovered_lines
 from shapeblend_cli.pens.line import UNITS
-from shapeblend_cli.wires.contour_blends import blend_along
-from shapeblend_cli.wires.contour_match import Solved
+from shapeblend_cli.wires.contour_blends import vertex_by_vertex
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -347,13 +344,5 @@ def _overlaps(inlays: Sequence[Inlay], unit: float) -> dict[tuple[int, ...], int
 
 def _hole(numbers: tuple[int, int], a: ComplexArray, b: ComplexArray) -> ContourBlend:
     """Return the blend of a polygon, vertex by vertex."""
-    sides = []
-    for points in (a, b):
-        segments = cubics.lines(points, closed=True)
-        count = len(points)
-        polygon = Polygon(points, np.arange(count), np.zeros(count), closed=True)
-        sides.append(FlatContour(Contour(segments, np.ones(count, bool), closed=True), polygon))
-    every = np.arange(len(a))
-    found = Correspondence.without_work(np.stack([every, every], axis=1), closed=True)
     size = max(float(np.ptp(a.real)), float(np.ptp(b.real)), 1e-9)
-    return blend_along(numbers, Solved(sides[0], sides[1], found), (size, size))
+    return vertex_by_vertex(numbers, a, b, (size, size))

@@ -7,12 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
-from shapeblend_cli.geometry.cubics import lines as straight_lines
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polygons import ring_edges, signed_area
+from shapeblend_cli.geometry.polygons import polyline_contour, ring_edges, signed_area
 from shapeblend_cli.geometry.polyline import are_near, needed
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model import Box
 from shapeblend_cli.pairing.riders import riders
 from shapeblend_cli.pens.drawings import file_line
 from shapeblend_cli.pens.line import UNITS, evenly
@@ -121,8 +120,7 @@ def _expanded(
             stroke_gradient=None,
         )
         for k, ring in enumerate(rings):
-            segments = straight_lines((ring if way > 0.0 else ring[::-1]) / scale, True)
-            outline = Contour(segments, np.ones(len(segments), bool), True)
+            outline = polyline_contour((ring if way > 0.0 else ring[::-1]) / scale)
             number = free if k else contour.number
             free += bool(k)
             found.append(

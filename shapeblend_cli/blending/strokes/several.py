@@ -11,15 +11,15 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import lines as straight_lines
+from shapeblend_cli.geometry.polygons import polyline_contour
 from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at
-from shapeblend_cli.model import Contour, CubicPath, Polygon
+from shapeblend_cli.model import Polygon
 from shapeblend_cli.pens.line import length, lengths_along
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, Pair, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, Pair, ShapeBlend
     from shapeblend_cli.pens.line import PenLine
 
     Stretch = tuple[tuple[float, float], list["Track"]]
@@ -207,9 +207,7 @@ def _shape(
     knots = np.concatenate([[low], along[inner], [high]])
     cuts = np.interp(track.lengths.clip(low, high), knots, np.arange(len(knots), dtype=float))
     paths = [
-        CubicPath(
-            straight_lines(points[:-1] if closed else points, closed), np.ones(len(points) - 1, bool), closed
-        )
+        polyline_contour(points[:-1] if closed else points, closed)
         for points in (vertices, points_at(track.lengths, vertices, knots), track.points)
     ]
     count = len(vertices) - 1
@@ -223,7 +221,7 @@ def _shape(
     contour = contour._replace(
         a=number,
         b=None,
-        contour_a=Contour(paths[0].segments, paths[0].straight, closed),
+        contour_a=paths[0],
         polygon_a=polygon,
         start=paths[1],
         end=paths[2],

@@ -15,9 +15,8 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import PlacedDrawing, decompose
 from shapeblend_cli.blending.swaps.swapped import RESHAPED
 from shapeblend_cli.blending.swaps.traced import silhouette
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
-from shapeblend_cli.geometry.polygons import mean_value_table, weighted_sums
+from shapeblend_cli.geometry.polygons import mean_value_table, polyline_contour, weighted_sums
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import segments_at, with_curves
 from shapeblend_cli.model import Contour, Drawing, Fade, ShapeBlend, Style
@@ -152,9 +151,8 @@ def nodes(outline: ShapeBlend, t: float) -> ComplexArray:
 
 def _as_drawing(side: PlacedDrawing, line: ComplexArray) -> PlacedDrawing:
     """Return a drawing of a single polygon, of which nothing else is known, in place of a drawing."""
-    outline = Contour(cubics.lines(line, closed=True), np.ones(len(line), np.bool_), closed=True)
     first = side.drawing.shapes[0]
-    shape = replace(first, index=0, contours=(outline,), style=Style(), groups=())
+    shape = replace(first, index=0, contours=(polyline_contour(line),), style=Style(), groups=())
     drawing = Drawing(side.drawing.file, None, (shape,))
     return PlacedDrawing(drawing, Similarity(), decompose(drawing, Similarity(), len(line), 1)[0])
 
