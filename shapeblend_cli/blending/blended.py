@@ -44,12 +44,10 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
     from shapeblend_cli.blending.matched import PairedDrawings, Progress
-    from shapeblend_cli.model import Pair, Place, ShapeBlend
+    from shapeblend_cli.model import Pair, Place, ShapeBlend, Shapes
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing
     from shapeblend_cli.pens.line_blends import LineBlend
-
-    Shapes = tuple[ShapeBlend, ...]
 
 MARGIN = 0.8
 """Minimum advantage of outlines over lines in a drawing that is partly drawn with a pen, in faults."""

@@ -13,11 +13,10 @@ from shapeblend_cli.motion.rigid import Rigid, Whole
 if TYPE_CHECKING:
     from collections.abc import Hashable, Iterator, Sequence
 
-    from shapeblend_cli.model import Motion, ShapeBlend
+    from shapeblend_cli.model import Motion, ShapeBlend, Shapes
     from shapeblend_cli.motion import pen
     from shapeblend_cli.motion.alignment import Alignment
 
-    Shapes = tuple[ShapeBlend, ...]
     Turning = Alignment | Whole | pen.Whole
 
 TIMES = tuple(k / 8 for k in range(1, 8))

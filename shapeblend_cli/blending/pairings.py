@@ -24,10 +24,8 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.blending.matched import PairedDrawings
-    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, ShapeBlend, Shapes
     from shapeblend_cli.model.style import Paint
-
-    Shapes = tuple[ShapeBlend, ...]
 
 STRICTER = (Rates(paint=1.5 * PAINT_WEIGHT), Rates(alone=ALONE_COST - 0.13), Rates(alone=ALONE_COST - 0.23))
 """Costs of pairings that are tried: another colour counts more, or it costs less to have no partner."""

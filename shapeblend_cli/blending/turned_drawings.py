@@ -24,9 +24,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, ShapeBlend
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Shapes
 
-    Shapes = tuple[ShapeBlend, ...]
     Blend = Callable[[PlacedDrawing, PlacedDrawing], Shapes]
 
 MOST_CONTOURS = 100

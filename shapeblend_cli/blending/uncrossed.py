@@ -22,9 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.blending.matched import PairedDrawings
-    from shapeblend_cli.model import Box, ShapeBlend
-
-    Shapes = tuple[ShapeBlend, ...]
+    from shapeblend_cli.model import Box, ShapeBlend, Shapes
 
 SUSPECT = 0.1
 """Minimum fault of a shape's outlines for them to be looked at: what hardly changes does not cross."""

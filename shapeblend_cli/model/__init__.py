@@ -283,6 +283,9 @@ class ShapeBlend(NamedTuple):
         return max(max(contour.scale_a, contour.scale_b) for contour in self.contours)
 
 
+Shapes = tuple[ShapeBlend, ...]
+
+
 class ClipBlend(NamedTuple):
     """A clip region that moves: the union of shapes that move."""
 

@@ -24,10 +24,8 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
     from shapeblend_cli.blending.matched import Progress
-    from shapeblend_cli.model import ContourBlend, Drawing, Picture, Pose, Style
+    from shapeblend_cli.model import ContourBlend, Drawing, Picture, Pose, Shapes, Style
     from shapeblend_cli.options.settings import Settings
-
-    Shapes = tuple[ShapeBlend, ...]
 
 FADE = (0.4, 0.6)
 """Times between which a picture changes its place in the order of paint."""

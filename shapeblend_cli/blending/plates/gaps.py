@@ -25,10 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Shapes
     from shapeblend_cli.options.settings import Settings
-
-    Shapes = tuple[ShapeBlend, ...]
 
 SHIPS = 1.25
 """Minimum sum of the faults of the usual blend for gaps to close in a ring without a handle."""

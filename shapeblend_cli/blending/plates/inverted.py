@@ -25,10 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import ContourPair, PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ContourBlend
+    from shapeblend_cli.model import ContourBlend, Shapes
     from shapeblend_cli.options.settings import Settings
-
-    Shapes = tuple[ShapeBlend, ...]
 
 MOST_CONTOURS = 60
 """Maximum number of contours of a drawing that may be inverted."""

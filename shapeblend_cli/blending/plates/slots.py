@@ -16,9 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import Box, ComplexArray, ContourBlend, Motion, ShapeBlend
-
-    Shapes = tuple[ShapeBlend, ...]
+    from shapeblend_cli.model import Box, ComplexArray, ContourBlend, Motion, ShapeBlend, Shapes
 
 CLOSING = 0.4
 """Time in which the slots close, as a share of all time."""

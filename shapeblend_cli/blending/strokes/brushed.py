@@ -26,10 +26,8 @@ if TYPE_CHECKING:
     from shapeblend_cli.brushes.sides import Brush
     from shapeblend_cli.brushes.stroke_blends import Matched
     from shapeblend_cli.brushes.strokes import Stroke
-    from shapeblend_cli.model import Box
+    from shapeblend_cli.model import Box, Shapes
     from shapeblend_cli.options.settings import Settings
-
-    Shapes = tuple[ShapeBlend, ...]
 
 SLENDER = 0.22 * UNITS
 """Maximum mean thickness of a drawing of brush strokes, in units."""

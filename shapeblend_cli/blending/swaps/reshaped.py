@@ -27,9 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
-    from shapeblend_cli.model import Box, ComplexArray, ContourBlend, FloatArray, PictureArray
-
-    Shapes = tuple[ShapeBlend, ...]
+    from shapeblend_cli.model import Box, ComplexArray, ContourBlend, FloatArray, PictureArray, Shapes
 
 FARTHEST = 0.42
 """Maximum distance of the points of both silhouettes from each other, as a share of that from their own middles."""

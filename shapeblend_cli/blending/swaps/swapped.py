@@ -15,10 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import FloatArray
+    from shapeblend_cli.model import FloatArray, Shapes
     from shapeblend_cli.options.settings import Settings
-
-    Shapes = tuple[ShapeBlend, ...]
 
 GONE = 0.46
 """Time at which the drawing that leaves is gone: it is quicker than the one that comes."""

@@ -25,10 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend, PictureArray, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, ContourBlend, PictureArray, ShapeBlend, Shapes
     from shapeblend_cli.pens.line import PenDrawing, PenLine
-
-    Shapes = tuple[ShapeBlend, ...]
 
 MOST_BENT = 1.1
 """Maximum spread of the turns along a line that becomes another, in radians: the standard deviation by length."""
