@@ -115,7 +115,7 @@ class _Clips:
     def scaled(self, clips: Sequence[Clip], shape: ShapeBlend) -> tuple[ClipBlend, ...]:
         """Return the clips of a shape of one drawing, which shrink to the point to which the shape does."""
         is_new = shape.sources[0] is None
-        centre = complex((shape.contours[0].start if is_new else shape.contours[0].end).segments[0, 0])
+        centre = complex(shape.contours[0].path(not is_new).segments[0, 0])
         found = []
         for clip in clips:
             key = id(clip), is_new
@@ -187,8 +187,7 @@ def _as_drawing(clip: Clip) -> Drawing:
 
 def _box_around(shape: ShapeBlend, end: int) -> Clip:
     """Return a box around a shape at one of its ends, and its strokes."""
-    paths = [contour.end if end else contour.start for contour in shape.contours]
-    style = shape.style_b if end else shape.style_a
-    box = control_box(paths)
+    style = shape.style(end)
+    box = control_box([contour.path(end) for contour in shape.contours])
     box = box.expanded(ROOM * box.larger_side + (style.stroke_width if style.stroke else 0.0))
     return Clip((rectangle(box),))

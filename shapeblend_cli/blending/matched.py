@@ -140,7 +140,7 @@ class PairedDrawings(NamedTuple):
         """Match the contours of a shape for another angle."""
         self.progress.clock.lap("interpolate")
         contours = (
-            self.match((contour.a, contour.b), rotation).blend if contour.is_matched else contour
+            self.match(contour.numbers, rotation).blend if contour.is_matched else contour
             for contour in shape.contours
         )
         return shape._replace(contours=tuple(contours))

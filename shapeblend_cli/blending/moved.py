@@ -166,9 +166,9 @@ def _keeps_clear(shape: ShapeBlend, turned: set[int], others: Sequence[ContourBl
     """Return whether parts that turn stay within the outlines that they lie in, and off other ones."""
     sides = [
         {
-            other.polygon_a if k == 0 else other.polygon_b
+            other.polygon(k)
             for other in others
-            if (other.a, other.b)[k] is not None and (other.contour_a, other.contour_b)[k].closed
+            if other.numbers[k] is not None and (other.contour_a, other.contour_b)[k].closed
         }
         for k in (0, 1)
     ]
@@ -176,7 +176,7 @@ def _keeps_clear(shape: ShapeBlend, turned: set[int], others: Sequence[ContourBl
         places = [cubics.evaluate(segments_at(shape, t)[k][:, None], PLACES).ravel() for t in TIMES]
         between = np.concatenate(places)
         for here, polygons in enumerate(sides):
-            own = shape.contours[k].start if here == 0 else shape.contours[k].end
+            own = shape.contours[k].path(here)
             for polygon in polygons:
                 is_in = winding_numbers(own.segments[:1, 0], polygon.vertices)[0] != 0
                 if ((winding_numbers(between, polygon.vertices) != 0) != is_in).any():

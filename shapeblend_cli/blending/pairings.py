@@ -186,7 +186,7 @@ def _without_strays(paired: PairedDrawings, shapes: Shapes, side: float) -> Pair
     """Leave parts without their partners that lie elsewhere and are unlike these; in a view of a side."""
     main = max((shape.size for shape in shapes if shape.is_matched), default=0.0)
     strays = {
-        (contour.a, contour.b)
+        contour.numbers
         for shape in shapes
         if LEAST_STRAY * side <= shape.size < main
         for contour in shape.contours

@@ -26,7 +26,7 @@ def staggered(pair: Pair, stagger: float, by: str) -> Pair:
     key = _key(by)
     parts: dict[tuple[tuple[int | None, int | None], ...], list[int]] = {}
     for k, shape in enumerate(pair.shapes):
-        parts.setdefault(tuple((c.a, c.b) for c in shape.contours), []).append(k)
+        parts.setdefault(tuple(c.numbers for c in shape.contours), []).append(k)
     if len(parts) < 2:
         return pair
     ranked = sorted(parts.values(), key=lambda numbers: key(pair.shapes[numbers[0]]))
@@ -172,5 +172,4 @@ def _key(by: str) -> Callable[[ShapeBlend], float]:
 def _centre(shape: ShapeBlend) -> complex:
     """Return the middle of a shape in the first drawing; in the second if it is not in the first."""
     matched = [c for c in shape.contours if not c.grows] or list(shape.contours)
-    outlines = [c.end if c.grows else c.start for c in matched]
-    return control_box(outlines).centre
+    return control_box([c.path(c.whole_at) for c in matched]).centre

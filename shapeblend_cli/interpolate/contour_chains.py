@@ -48,7 +48,7 @@ class Key(NamedTuple):
     @classmethod
     def each_of(cls, blend: ContourBlend) -> list[Key]:
         """Return the keys of both contours of a blend. Pen lines are cut at the vertices of their paths as it is."""
-        contours, numbers = (blend.contour_a, blend.contour_b), (blend.a, blend.b)
+        contours, numbers = (blend.contour_a, blend.contour_b), blend.numbers
         if any(blend.lines):
             every = zip(numbers, contours, blend.cuts, strict=True)
             return [cls(number, contour.segments, cuts) for number, contour, cuts in every]

@@ -163,7 +163,7 @@ def _places(groups: Sequence[Places], pairs: Sequence[Pair]) -> IntArray:
 
 def _ends(shape: ShapeBlend) -> tuple[tuple[int | None, int | None], ...]:
     """Return the numbers of the contours of a shape, which its twin has, too."""
-    return tuple((contour.a, contour.b) for contour in shape.contours)
+    return tuple(contour.numbers for contour in shape.contours)
 
 
 def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) -> KeyframedShape:
@@ -199,7 +199,7 @@ def _without_dots(paths: Sequence[CubicPath], style: Style) -> PaintedShape:
 
 def _style(blend: ShapeBlend, end: int) -> Style:
     """Return the paint of a shape at an end; strokes with others in their place are not seen."""
-    style = blend.style_b if end else blend.style_a
+    style = blend.style(end)
     if blend.fade is None or None not in blend.sources:
         return style
     return style.faded(blend.fade.share(float(end)))

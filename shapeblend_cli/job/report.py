@@ -87,7 +87,7 @@ def report(
 
 def _parents(pair: Pair, side: int) -> dict[str, int]:
     """Return what each contour of A, 0, or B, 1, lies in, by numbers; those that lie in nothing are left out."""
-    parents = {(contour.a, contour.b)[side]: contour.parents[side] for contour in pair.contours}
+    parents = {contour.numbers[side]: contour.parents[side] for contour in pair.contours}
     return {str(number): parent for number, parent in sorted(parents.items(), key=str) if parent is not None}
 
 

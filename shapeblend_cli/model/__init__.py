@@ -136,6 +136,28 @@ class ContourBlend(NamedTuple):
         """Whether it has no partner and yet is no point at either end, since it goes along with what it lies on."""
         return not self.is_matched and min(len(self.polygon_a.vertices), len(self.polygon_b.vertices)) > 1
 
+    @property
+    def numbers(self) -> tuple[int | None, int | None]:
+        """The numbers of its contours in A and B."""
+        return self.a, self.b
+
+    @property
+    def whole_at(self) -> int:
+        """The end, 0 for A or 1 for B, at which a contour without a partner is no point."""
+        return int(self.grows)
+
+    def alone(self, number: int) -> tuple[int | None, int | None]:
+        """Return the numbers of a contour that comes or goes as this one does."""
+        return (None, number) if self.grows else (number, None)
+
+    def path(self, end: int) -> CubicPath:
+        """Return its path at the start, 0, or at the end, 1."""
+        return self.end if end else self.start
+
+    def polygon(self, end: int) -> Polygon:
+        """Return its polygon in A, 0, or in B, 1."""
+        return self.polygon_b if end else self.polygon_a
+
     def dot_points(self) -> tuple[ComplexArray, ComplexArray]:
         """Return the vertices that correspond, a pair for every dot."""
         i, j = self.correspondence.dots.T
@@ -276,6 +298,19 @@ class ShapeBlend(NamedTuple):
     def taken(self) -> Candidate | None:
         """The candidate that was chosen, if there was a choice."""
         return next((one for one in self.candidates if one.name == self.motion_name), None)
+
+    def style(self, end: int) -> Style:
+        """Return its style at the start, 0, or at the end, 1."""
+        return self.style_b if end else self.style_a
+
+    def box(self, end: int) -> Box:
+        """Return the box around it at the start, 0, or at the end, 1, with its stroke."""
+        return control_box([contour.path(end) for contour in self.contours]).expanded(self.style(end).reach)
+
+    @property
+    def is_stroke(self) -> bool:
+        """Whether it has no fill at either end."""
+        return self.style_a.fill is self.style_b.fill is None
 
     @property
     def size(self) -> float:

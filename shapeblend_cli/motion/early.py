@@ -141,7 +141,7 @@ class Early(NamedTuple):
 
     def _own(self, contour: ContourBlend, segments: ComplexArray, t: float) -> ComplexArray:
         """Return the control points of a contour at time t, which would otherwise be these."""
-        numbers, whole = (contour.a, contour.b), contour.end if contour.grows else contour.start
+        numbers, whole = contour.numbers, contour.path(contour.whole_at)
         size = t if contour.grows else 1.0 - t
         left = self._left(numbers, size)
         if numbers in self.rides:
@@ -169,7 +169,7 @@ class Early(NamedTuple):
         ways = [each[:, 0] - middle for each, middle in zip((segments, whole.segments), middles, strict=True)]
         turned = (ways[1].conj() @ ways[0]) / max(float((np.abs(ways[1]) ** 2).sum()), 1e-12)
         from_root = turned * (middles[1] - contour.root.place)
-        body = (None, contour.root.body) if contour.grows else (contour.root.body, None)
+        body = contour.alone(contour.root.body)
         return complex((self._left(body, size) / max(size, 1e-9) - 1.0) * from_root)
 
 
@@ -214,14 +214,14 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
 
     met = [(shape, contour) for shape, contour, outlines in alone if is_met(contour, outlines)]
     found = {
-        (contour.a, contour.b)
+        contour.numbers
         for shape, contour, _ in alone
         if any(_are_alike(shape, contour, *other) for other in met)
     }
     for _, contour, _ in alone:  # and what is inside, as a hole is
-        around = contour.parents[int(contour.grows)]
-        if around is not None and ((None, around) if contour.grows else (around, None)) in found:
-            found.add((contour.a, contour.b))
+        around = contour.parents[contour.whole_at]
+        if around is not None and contour.alone(around) in found:
+            found.add(contour.numbers)
     return alone_in(shapes) & found
 
 
@@ -239,13 +239,8 @@ def _are_alike(
         other_shape.style_b,
     ):
         return False
-    areas = [_area(contour), _area(other)]
+    areas = [_area_at(each, each.whole_at) for each in (contour, other)]
     return min(areas) * max(areas) > 0.0 and max(map(abs, areas)) <= ALIKE * min(map(abs, areas))
-
-
-def _area(contour: ContourBlend) -> float:
-    """Return the signed area where it is not a point."""
-    return signed_area_of(contour.polygon_b if contour.grows else contour.polygon_a)
 
 
 def alone_in(shapes: Sequence[ShapeBlend], detail: float = 0.0) -> frozenset[Numbers]:
@@ -271,12 +266,12 @@ def alone_in(shapes: Sequence[ShapeBlend], detail: float = 0.0) -> frozenset[Num
         for end in (0, 1)
     ]
     contours = (contour for shape in shapes for contour in shape.contours)
-    return frozenset((c.a, c.b) for c in contours if _is_alone(c) and _size(c) <= most[int(c.grows)])
+    return frozenset(c.numbers for c in contours if _is_alone(c) and _size(c) <= most[c.whole_at])
 
 
 def _area_at(contour: ContourBlend, end: int) -> float:
     """Return the signed area at the start, 0, or the end, 1; none where it is a point."""
-    return signed_area_of(contour.polygon_b if end else contour.polygon_a)
+    return signed_area_of(contour.polygon(end))
 
 
 def early_shares(
@@ -296,11 +291,11 @@ def early_shares(
     is_plain = not any(contour.shrinks for contour in contours)
 
     def is_soon(contour: ContourBlend) -> bool:
-        is_hole = areas.get(contour.parents[1], 0.0) * _area(contour) < 0.0
+        is_hole = areas.get(contour.parents[1], 0.0) * _area_at(contour, contour.whole_at) < 0.0
         return contour.grows and ((is_hole and is_plain) or not are_changed)
 
-    alone = [contour for contour in contours if (contour.a, contour.b) in parts]
-    return {(contour.a, contour.b): COMES if is_soon(contour) else EARLY for contour in alone}
+    alone = [contour for contour in contours if contour.numbers in parts]
+    return {contour.numbers: COMES if is_soon(contour) else EARLY for contour in alone}
 
 
 def shares_by_size(
@@ -314,22 +309,22 @@ def shares_by_size(
     stirred = min(change / CHANGES, 1.0)
     alone: dict[Numbers, tuple[int, ContourBlend]] = {}
     for k, shape in enumerate(shapes):
-        alone |= {(c.a, c.b): (k, c) for c in shape.contours if (c.a, c.b) in parts}
+        alone |= {c.numbers: (k, c) for c in shape.contours if c.numbers in parts}
 
     def fill_of(number: int, contour: ContourBlend) -> tuple[int, ContourBlend] | None:
         """Return the fill with which a stroke on its edge goes."""
-        if contour.root is None or not _is_stroke(shapes[number]):
+        if contour.root is None or not shapes[number].is_stroke:
             return None
-        body = alone.get((None, contour.root.body) if contour.grows else (contour.root.body, None))
-        return None if body is None or _is_stroke(shapes[body[0]]) else body
+        body = alone.get(contour.alone(contour.root.body))
+        return None if body is None or shapes[body[0]].is_stroke else body
 
     def share(number: int, contour: ContourBlend) -> float:
         fill = fill_of(number, contour)
         if fill is not None:
             return share(*fill)
         size = _size(contour)
-        around = contour.parents[int(contour.grows)]
-        host = alone.get((None, around) if contour.grows else (around, None)) if around is not None else None
+        around = contour.parents[contour.whole_at]
+        host = None if around is None else alone.get(contour.alone(around))
         if (
             host is not None
             and fill_of(*host) is None
@@ -349,11 +344,7 @@ def gone_at(contour: ContourBlend, share: float) -> ContourBlend:
 
     It ends, or begins, where what it is attached to is then.
     """
-    whole, point = (
-        (contour.end, contour.start.segments[0, 0])
-        if contour.grows
-        else (contour.start, contour.end.segments[0, 0])
-    )
+    whole, point = contour.path(contour.whole_at), contour.path(1 - contour.whole_at).segments[0, 0]
     place = contour.root.place if contour.root else whole.segments[:, 0].mean()
     return from_point(contour, complex(point + share * (place - point)))
 
@@ -361,7 +352,7 @@ def gone_at(contour: ContourBlend, share: float) -> ContourBlend:
 def most_shares(shapes: Sequence[ShapeBlend]) -> dict[Numbers, float]:
     """Return the shares of the time by which the parts of a drawing leave or come if most of it has no partner."""
     contours = (contour for shape in shapes for contour in shape.contours)
-    return {(c.a, c.b): MOST_COMES if c.grows else MOST_LEAVES for c in contours if _is_alone(c)}
+    return {c.numbers: MOST_COMES if c.grows else MOST_LEAVES for c in contours if _is_alone(c)}
 
 
 def _together(shares: Mapping[Numbers, float]) -> dict[Numbers, float]:
@@ -378,7 +369,7 @@ def _together(shares: Mapping[Numbers, float]) -> dict[Numbers, float]:
 
 def _size(contour: ContourBlend) -> float:
     """Return the larger side of its box where it is not a point."""
-    return (contour.polygon_b if contour.grows else contour.polygon_a).box.larger_side
+    return contour.polygon(contour.whole_at).box.larger_side
 
 
 def with_early_parts(
@@ -390,8 +381,8 @@ def with_early_parts(
     """
     found = []
     for shape in shapes:
-        numbers = {(c.a, c.b) for c in shape.contours} & parts.keys()
-        knots = _knots([c for c in shape.contours if (c.a, c.b) in numbers], parts) if evenly else ()
+        numbers = {c.numbers for c in shape.contours} & parts.keys()
+        knots = _knots([c for c in shape.contours if c.numbers in numbers], parts) if evenly else ()
         found.append(shape._replace(motion=Early(shape.motion, parts, knots=knots)) if numbers else shape)
     return tuple(found)
 
@@ -400,10 +391,9 @@ def _knots(contours: Sequence[ContourBlend], parts: Mapping[Numbers, float]) -> 
     """Return the times at which some parts, or the parts that they go with, change their speed."""
     shares = set()
     for contour in contours:
-        body = contour.root.body if contour.root else (contour.b if contour.grows else contour.a)
-        for number in (contour.b if contour.grows else contour.a, body):
-            share = parts.get((None, number) if contour.grows else (number, None), 0.0)
-            shares.add((contour.grows, share))
+        shares.add((contour.grows, parts.get(contour.numbers, 0.0)))
+        if contour.root:
+            shares.add((contour.grows, parts.get(contour.alone(contour.root.body), 0.0)))
     sizes = [
         (grows, share + (1.0 - share) * own) for grows, share in shares if share for own in SPEED[0][:-1]
     ]
@@ -421,7 +411,7 @@ def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
         motion = Early(None, {}) if shape.motion is None else shape.motion
         if isinstance(motion, Early) and motion.motion is None and not _is_line(shape):
             alone = [contour for contour in shape.contours if _is_alone(contour)]
-            rides = {(contour.a, contour.b): ride for contour in alone if (ride := _ride(contour, lines))}
+            rides = {contour.numbers: ride for contour in alone if (ride := _ride(contour, lines))}
             if rides:
                 contours = tuple(_to_line(contour, rides) for contour in shape.contours)
                 shape = shape._replace(contours=contours, motion=motion._replace(rides=rides))
@@ -429,24 +419,19 @@ def carried_by_lines(shapes: Sequence[ShapeBlend]) -> tuple[ShapeBlend, ...]:
     return tuple(found)
 
 
-def _is_stroke(shape: ShapeBlend) -> bool:
-    """Return whether a shape has no fill."""
-    return shape.style_a.fill is shape.style_b.fill is None
-
-
 def _is_line(shape: ShapeBlend) -> bool:
     """Return whether a shape is one stroke."""
-    return len(shape.contours) == 1 and _is_stroke(shape)
+    return len(shape.contours) == 1 and shape.is_stroke
 
 
 def _ride(contour: ContourBlend, lines: Sequence[ShapeBlend]) -> Ride | None:
     """Return the place on the nearest line that a contour touches where it is whole."""
-    path, polygon = (contour.end, contour.polygon_b) if contour.grows else (contour.start, contour.polygon_a)
-    middle = path.segments[:, 0].mean()
+    here = contour.whole_at
+    polygon, middle = contour.polygon(here), contour.path(here).segments[:, 0].mean()
     best: tuple[float, Ride] | None = None
     for line in lines:
         points = _points(line, float(contour.grows))
-        width = (line.style_b if contour.grows else line.style_a).stroke_width
+        width = line.style(here).stroke_width
         (away,), (place,) = nearest_places(middle[None], points)
         between = min(
             nearest_places(polygon.line, points)[0].min(), nearest_places(points, polygon.line)[0].min()
@@ -464,7 +449,7 @@ def _points(line: ShapeBlend, t: float) -> ComplexArray:
 
 def _to_line(contour: ContourBlend, rides: Mapping[Numbers, Ride]) -> ContourBlend:
     """Return a contour that comes of its place on a line, or goes to it."""
-    ride = rides.get((contour.a, contour.b))
+    ride = rides.get(contour.numbers)
     if ride is None:
         return contour
     return from_point(contour, ride.at(1.0 - float(contour.grows)))

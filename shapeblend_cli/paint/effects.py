@@ -20,7 +20,6 @@ from shapeblend_cli.model import (
     Pair,
     ShapeBlend,
     Step,
-    control_box,
 )
 from shapeblend_cli.model import WHOLE as WHOLE_SPAN
 from shapeblend_cli.paint.oklab import blend_colours
@@ -354,12 +353,7 @@ def _from_or_to_nothing(blend: EffectBlend, inside: Sequence[ShapeBlend]) -> Eff
 
 def _box(inside: Iterable[ShapeBlend], end: int) -> Box:
     """Return the box around shapes at one of their ends, with their strokes."""
-    boxes = []
-    for shape in inside:
-        reach = (shape.style_b if end else shape.style_a).reach
-        paths = [contour.end if end else contour.start for contour in shape.contours]
-        boxes.append(control_box(paths).expanded(reach))
-    return Box.union(boxes)
+    return Box.union([shape.box(end) for shape in inside])
 
 
 def _in_common(groups: Sequence[Sequence[object]]) -> int:

@@ -186,8 +186,8 @@ def without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], *, is_straight
     """Return a line that fades, or thins if it moves straight, where it is a dot that no other line hides."""
     (contour,) = shape.contours
     for end, style, fade in ((0, shape.style_a, COMES), (1, shape.style_b, GOES)):
-        path = (contour.start, contour.end)[end]
-        if not path.is_point or (contour.a, contour.b)[end] is not None or shape.fade is not None:
+        path = contour.path(end)
+        if not path.is_point or contour.numbers[end] is not None or shape.fade is not None:
             continue
         if style.stroke_linecap == "butt" or style.stroke_width == 0.0:
             continue
@@ -204,7 +204,7 @@ def without_dots(shape: ShapeBlend, shapes: Sequence[ShapeBlend], *, is_straight
 def _hides(line: ShapeBlend, end: int, dot: complex, width: float) -> bool:
     """Return whether a line hides a dot of some width at an end."""
     (contour,) = line.contours
-    path, style = ((contour.start, line.style_a), (contour.end, line.style_b))[end]
+    path, style = contour.path(end), line.style(end)
     if path.is_point:
         return False
     points = np.append(path.segments[:, 0], path.segments[-1, 3])

@@ -13,7 +13,7 @@ import numpy as np
 from shapeblend_cli.blending.blended import blend_shapes
 from shapeblend_cli.errors import InputError, MatchError
 from shapeblend_cli.interpolate.paths import with_curves
-from shapeblend_cli.model import Box, Fade, ShapeBlend, control_box
+from shapeblend_cli.model import Box, Fade, ShapeBlend
 from shapeblend_cli.model.words import words_in
 from shapeblend_cli.motion.rigid import Posed
 from shapeblend_cli.paint.styles import painted_as
@@ -220,13 +220,8 @@ def _fading(drawing: PlacedDrawing, end: int, settings: Settings) -> list[ShapeB
 
 def _touched(shapes: Sequence[ShapeBlend], picture: ShapeBlend, end: int) -> set[int]:
     """Return the numbers of shapes whose boxes a picture touches at one of its ends."""
-    boxes = [
-        control_box([contour.end if end else contour.start for contour in shape.contours]).expanded(
-            (shape.style_b if end else shape.style_a).reach
-        )
-        for shape in (picture, *shapes)
-    ]
-    return {k for k, box in enumerate(boxes[1:]) if box.overlaps(boxes[0])}
+    own = picture.box(end)
+    return {k for k, shape in enumerate(shapes) if shape.box(end).overlaps(own)}
 
 
 def _inserted(shapes: Sequence[ShapeBlend], picture: ShapeBlend) -> list[ShapeBlend]:

@@ -150,7 +150,7 @@ def _bends(shape: ShapeBlend) -> bool:
 
 def _are_same(one: ContourBlend, other: ContourBlend, end: int) -> bool:
     """Return whether two outlines run in the same place in one of the drawings."""
-    p, q = ((c.polygon_b if end else c.polygon_a) for c in (one, other))
+    p, q = one.polygon(end), other.polygon(end)
     apart = np.abs(p.vertices[:, None] - _edges(q.line)).min(axis=1)
     back = np.abs(q.vertices[:, None] - _edges(p.line)).min(axis=1)
     return float(max(apart.max(), back.max())) <= NEAR * p.box.diagonal

@@ -20,7 +20,7 @@ from shapeblend_cli.motion.rigid import Rigid
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from shapeblend_cli.model import ComplexArray, ContourBlend, CubicPath, Motion, ShapeBlend, Style
+    from shapeblend_cli.model import ComplexArray, ContourBlend, Motion, ShapeBlend, Style
 
 LARGE = 0.3
 """Minimum size of a part that fades, as a share of the view's side: others shrink to a dot before they are read."""
@@ -115,22 +115,14 @@ def _alone(shapes: Sequence[ShapeBlend]) -> list[_Part]:
         is_plain = is_straight and not (shape.fade or shape.trim or shape.pace or shape.clips)
         if is_point and is_plain and len(ends) == 1:
             (end,) = ends
-            found.append(_Part(number, end, np.concatenate([_nodes(c, end) for c in shape.contours])))
+            nodes = [contour.path(end).segments[:, 0] for contour in shape.contours]
+            found.append(_Part(number, end, np.concatenate(nodes)))
     return found
-
-
-def _nodes(contour: ContourBlend, end: int) -> ComplexArray:
-    return _path(contour, end).segments[:, 0]
-
-
-def _path(contour: ContourBlend, end: int) -> CubicPath:
-    return contour.end if end else contour.start
 
 
 def _style(shapes: Sequence[ShapeBlend], part: _Part) -> Style:
     """Return the style of a part where it is whole."""
-    shape = shapes[part.number]
-    return shape.style_b if part.end else shape.style_a
+    return shapes[part.number].style(part.end)
 
 
 def _bodies(shapes: Sequence[ShapeBlend]) -> list[_Body]:
@@ -200,8 +192,8 @@ def _bent(contour: ContourBlend, end: int, here: ComplexArray, there: ComplexArr
     def image(points: ComplexArray) -> ComplexArray:
         return weighted_sums(mean_value_table(points.ravel(), here), there).reshape(points.shape)
 
-    path = _path(contour, end)
-    own, polygon = (contour.contour_b, contour.polygon_b) if end else (contour.contour_a, contour.polygon_a)
+    path, polygon = contour.path(end), contour.polygon(end)
+    own = contour.contour_b if end else contour.contour_a
     far = replace(path, segments=image(path.segments))
     beyond = replace(own, segments=image(own.segments)), replace(polygon, vertices=image(polygon.vertices))
     found = Correspondence.one_to_one(len(polygon.vertices), polygon.closed)

@@ -63,7 +63,7 @@ def with_parts_paced(
         early = small | told
     if is_by_size:
         shapes = tuple(_drawn_in_time(shape, early) if _is_drawn(shape, early) else shape for shape in shapes)
-        drawn = {(c.a, c.b) for shape in shapes if _is_drawn(shape, early) for c in shape.contours}
+        drawn = {c.numbers for shape in shapes if _is_drawn(shape, early) for c in shape.contours}
         early = {part: share for part, share in early.items() if part not in drawn}
     has_strokes = any(_are_strokes_alone(shape, early) for shape in shapes)
     shapes = with_early_parts(shapes, early, evenly=is_by_size and not has_strokes)
@@ -86,11 +86,10 @@ def is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
 
 def _are_strokes_alone(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
     """Return whether a shape with a stroke is one of some parts, or several that are lines, and no other."""
-    numbers = {(contour.a, contour.b) for contour in shape.contours}
-    is_line = shape.style_a.fill is shape.style_b.fill is None
+    numbers = {contour.numbers for contour in shape.contours}
     return (
         shape.style_a.stroke is not None
-        and (len(numbers) == 1 or is_line)
+        and (len(numbers) == 1 or shape.is_stroke)
         and numbers <= set(parts)
         and shape.fade is None
     )
@@ -102,7 +101,7 @@ def _is_drawn(shape: ShapeBlend, parts: Collection[Numbers]) -> bool:
         return False
     from shapeblend_cli.motion.pen import Pen  # most drawings have no lines
 
-    return isinstance(shape.motion, Pen) and all((c.a, c.b) in parts for c in shape.contours)
+    return isinstance(shape.motion, Pen) and all(c.numbers in parts for c in shape.contours)
 
 
 def _drawn_in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBlend:
@@ -111,7 +110,7 @@ def _drawn_in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> ShapeBl
     from shapeblend_cli.motion.trims import trim_of
 
     (contour,), motion = shape.contours, cast("Pen", shape.motion)
-    share = parts[contour.a, contour.b]
+    share = parts[contour.numbers]
     span = (share, 1.0) if contour.grows else (0.0, 1.0 - share)
     pieces = tuple(
         piece._replace(own=_all_along(piece.own), span=span)
@@ -135,7 +134,7 @@ def _in_time(shape: ShapeBlend, parts: Mapping[Numbers, float]) -> list[ShapeBle
     """Return a shape of parts that are there in their shares of the time, their strokes too, which would be dots."""
     spans: dict[tuple[float, float], list[ContourBlend]] = {}
     for contour in shape.contours:
-        share = parts[contour.a, contour.b]
+        share = parts[contour.numbers]
         span = (share, 1.0) if contour.grows else (0.0, 1.0 - share)
         spans.setdefault(span, []).append(gone_at(contour, share))
     return [shape._replace(contours=tuple(own), motion=None, span=span) for span, own in spans.items()]

@@ -161,15 +161,15 @@ def _closing(
     edges = [edge._replace(a=None) if here else edge._replace(b=None) for edge in edges]
     first, last = (whole, gap.exterior) if here else (gap.exterior, whole)
     opening = [growing(hole, [(first, last, outline)], 1 - here) for hole in holes]
-    on_seat = (edges[0].start if here else edges[0].end).segments
+    on_seat = edges[0].path(1 - here).segments
     on_island = gap.island.centre + gap.island.box.larger_side / seat.box.larger_side * (
         on_seat - seat.centre
     )
     closed = Edge(on_seat, on_island) if here else Edge(on_island, on_seat)
     motion = Early(
         None,
-        {(edges[0].a, edges[0].b): CLOSED_FOR} | {(each.a, each.b): OPENS for each in opening},
-        {(edges[0].a, edges[0].b): closed},
+        {edges[0].numbers: CLOSED_FOR} | {each.numbers: OPENS for each in opening},
+        {edges[0].numbers: closed},
     )
     style_a, style_b = (each.style._replace(fill_rule="evenodd") for each in (first, last))
     sources = first.shape, last.shape

@@ -268,7 +268,7 @@ def with_inlays(shapes: Sequence[ShapeBlend], plates: Sequence[Plates], view: Bo
     found = list(shapes)
     for each in plates:
         numbers = tuple(plate.number for plate in each.plates)
-        here = [k for k, shape in enumerate(found) if numbers in [(c.a, c.b) for c in shape.contours]]
+        here = [k for k, shape in enumerate(found) if numbers in [c.numbers for c in shape.contours]]
         shape = _inlaid(found[here[0]], each, scale) if len(here) == 1 else None
         if shape is None:
             return None

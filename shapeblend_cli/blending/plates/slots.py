@@ -67,12 +67,12 @@ def _parted(shape: ShapeBlend, drawing: PlacedDrawing, here: int) -> ShapeBlend 
     """Return a shape with the holes of a drawing whole; None if no slot is cut there, or there is more to it."""
     parts = [contour for contour in shape.contours if contour.is_matched]
     alone = [contour for contour in shape.contours if not contour.is_matched]
-    numbers = Counter((contour.a, contour.b)[here] for contour in alone)
+    numbers = Counter(contour.numbers[here] for contour in alone)
     if None in numbers or max(numbers.values(), default=0) < 2 or shape.pace:
         return None
     holes = [contour for contour in drawing.contours if contour.number in numbers]
     plates = {hole.exterior for hole in holes}
-    if not all(map(_is_slot, holes)) or plates != {(part.a, part.b)[here] for part in parts}:
+    if not all(map(_is_slot, holes)) or plates != {part.numbers[here] for part in parts}:
         return None
     whole = [grow_from_point(hole, hole.centre, of_b=bool(here)) for hole in holes]
     return shape._replace(

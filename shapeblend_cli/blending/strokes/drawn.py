@@ -102,9 +102,10 @@ def _loose_line(
 
     A stroke that goes with a fill without a partner is none.
     """
-    if contour.is_matched or not (contour.start if contour.a is None else contour.end).is_point:
+    if contour.is_matched or not contour.path(1 - contour.whole_at).is_point:
         return None
-    number, here = (contour.b, 1) if contour.a is None else (contour.a, 0)
+    here = contour.whole_at
+    number = contour.numbers[here]
     own = placed[here].get(number) if number is not None else None
     if own is None:
         return None

@@ -67,7 +67,7 @@ class Bent(NamedTuple):
     def segments(self, contours: Sequence[ContourBlend], t: float) -> list[ComplexArray]:
         """Return the control points of each contour at time t."""
         shift = nodes(self.outline, t) - self.own
-        own = [(contour.end if self.here else contour.start).segments for contour in contours]
+        own = [contour.path(self.here).segments for contour in contours]
         return [
             segments + weighted_sums(weights, shift).reshape(segments.shape)
             for segments, weights in zip(own, self.weights, strict=True)
@@ -171,9 +171,7 @@ def _bent(
         blends = tuple(_with_image(contour, own, shift, here) for contour in of_shape)
         if curves:
             blends = tuple(map(with_curves, blends))
-        weights = tuple(
-            mean_value_table((each.end if here else each.start).segments.ravel(), own) for each in blends
-        )
+        weights = tuple(mean_value_table(each.path(here).segments.ravel(), own) for each in blends)
         yield ShapeBlend(
             blends,
             style,

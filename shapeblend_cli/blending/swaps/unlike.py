@@ -159,7 +159,7 @@ def are_too_unlike(
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
     first, last = pens
     share = min(first.share, last.share)
-    if share >= ALL and _are_all_alone(shapes):
+    if share >= ALL and not any(shape.is_matched for shape in shapes):
         return True
     if share >= MOSTLY:
         return _is_sent_back(shapes, first.lines, last.lines, view)
@@ -270,7 +270,7 @@ def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLi
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
     is_bent, is_like = _is_bent(shapes), _is_covered(lines, others) or _is_covered(others, lines)
-    becoming = [shape.reason for shape in shapes if any(contour.is_matched for contour in shape.contours)]
+    becoming = [shape.reason for shape in shapes if shape.is_matched]
     if becoming and all(reason == COPY for reason in becoming) and (is_like or not is_bent):
         return TOLD_IF_SPLIT
     if is_like:
@@ -289,11 +289,6 @@ def _is_simple(line: PenLine) -> bool:
     first, last = points[0], points[-1]
     ways = np.abs(points - first) + np.abs(points - last)
     return bool(ways.max() >= LEG * line.length)
-
-
-def _are_all_alone(shapes: Shapes) -> bool:
-    """Return whether all lines come or go, and none becomes another."""
-    return not any(contour.is_matched for shape in shapes for contour in shape.contours)
 
 
 def _is_bent(shapes: Shapes) -> bool:
@@ -323,11 +318,7 @@ def loose_ends(shapes: Shapes) -> int:
     """
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
-    lines = [
-        shape
-        for shape in shapes
-        if shape.style_a.fill is shape.style_b.fill is None and shape.style_a.stroke is not None
-    ]
+    lines = [shape for shape in shapes if shape.is_stroke and shape.style_a.stroke is not None]
     first, *between, last = (_loose_ends(lines, COPY, t) for t in LOOSE_TIMES)
     return min(max(*between, first, last) - max(first, last), MOST_LOOSE)
 
@@ -367,7 +358,7 @@ def _areas(contour: ContourBlend) -> tuple[float, float]:
 def _lines_of(shapes: Shapes) -> Iterator[tuple[ShapeBlend, ContourBlend]]:
     """Yield the lines that become other lines, with their shapes, but for those that turn as they are."""
     for shape in shapes:
-        if shape.style_a.fill is shape.style_b.fill is None and shape.motion_name not in TURNING:
+        if shape.is_stroke and shape.motion_name not in TURNING:
             yield from ((shape, contour) for contour in shape.contours if contour.is_matched)
 
 
