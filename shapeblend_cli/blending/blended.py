@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.anatomy.letters import has_letters
@@ -69,6 +69,21 @@ MOST_STEPS = 1000
 same."""
 
 
+class _Asked(NamedTuple):
+    """Two drawings to be blended in a view, and how."""
+
+    a: PlacedDrawing
+    b: PlacedDrawing
+    settings: Settings
+    view: Box
+    progress: Progress
+
+    @property
+    def drawn(self) -> tuple[PlacedDrawing, PlacedDrawing, Settings, Box]:
+        """Both drawings, the settings and the view."""
+        return self.a, self.b, self.settings, self.view
+
+
 def blend_shapes(
     a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
 ) -> Shapes:
@@ -79,9 +94,10 @@ def blend_shapes(
     """
     if settings.swap == "always" and not (settings.mix or settings.has_spans):
         return swapped(a, b, settings, view, ASKED)
+    asked = _Asked(a, b, settings, view, progress)
     is_named = bool(settings.match or settings.pins or settings.stiff)
-    pens = _pens(a, b, settings, view, progress)
-    lines = _lines(a, b, pens, settings, view) if is_named else None
+    pens = _pens(asked)
+    lines = _lines(asked, pens) if is_named else None
     rotation = 0.0
     if settings.motion != "linear" and lines is None:
         largest = [max(side.contours, key=lambda contour: contour.size).polygon for side in (a, b)]
@@ -91,18 +107,19 @@ def blend_shapes(
         shapes, places = match_pairs(paired)
         if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
             return _moved(paired, shapes, places, view)
-    is_free = settings.strokes != "recover" and not is_star(settings)
-    for outlined in _in_outlines(a, b, pens, settings, view) if is_free else ():
+    may_cross_out = settings.strokes != "recover" and not is_star(settings)
+    for outlined in _in_outlines(asked, pens) if may_cross_out else ():
         if crossed := crossed_out(*outlined, settings):
             paired = pair_drawings(*outlined, settings, 0.0, progress, crossed)
             return _blended(paired, view)
     if not is_named:
-        lines = _lines(a, b, pens, settings, view)
+        lines = _lines(asked, pens)
     progress.clock.lap("match")
 
-    if _is_free(settings):
+    if settings.is_free:
         progress = progress.keeping(MOST_STEPS)
-    may_swap = settings.swap == "auto" and _is_free(settings) and not is_named
+        asked = asked._replace(progress=progress)
+    may_swap = settings.swap == "auto" and settings.is_free and not is_named
     may_swap = may_swap and (lines is None or lines.stays < STAYS)
 
     def swap(shapes: Shapes) -> Shapes:
@@ -111,57 +128,51 @@ def blend_shapes(
         return shapes
 
     def usual() -> Shapes:
-        return swap(_by_lines_or_outlines(a, b, settings, view, progress, pens, lines, swap))
+        return swap(_by_lines_or_outlines(asked, pens, lines, swap))
 
     is_all_lines = lines is not None and lines.is_sure and not any(lines.rest)
-    if is_named or not _is_free(settings) or is_all_lines:
+    if is_named or not settings.is_free or is_all_lines:
         return usual()
 
     def straight(a: PlacedDrawing, b: PlacedDrawing) -> Shapes:
-        asked = settings.replace(motion="linear")
-        paired = pair_drawings(*with_outlines(a, b, asked, view), asked, 0.0, progress)
+        linear = settings.replace(motion="linear")
+        paired = pair_drawings(*with_outlines(a, b, linear, view), linear, 0.0, progress)
         return _blended(paired, view)
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
     may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
-    return _finished(a, b, settings, view, progress, shapes, may_swap=may_swap)
+    return _finished(asked, shapes, may_swap=may_swap)
 
 
-def _finished(
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    settings: Settings,
-    view: Box,
-    progress: Progress,
-    usual: Shapes,
-    *,
-    may_swap: bool,
-) -> Shapes:
+def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool) -> Shapes:
     """Return the usual blend of two drawings, or what looks better: a special one, a swap, or one without crossings."""
-    outlined = with_outlines(a, b, settings, view)
-    are_plain = all(map(is_plain, outlined))
+    settings, view = asked.settings, asked.view
+    a, b = with_outlines(*asked.drawn)
+    are_plain = is_plain(a) and is_plain(b)
     if are_plain:
-        shapes = _special(*outlined, settings, view, usual)
+        shapes = with_signs_inverted(a, b, settings, view, usual)
+        shapes = with_gaps_closed(a, b, settings, view, shapes)
+        shapes = with_slots_closed(a, b, view, shapes)
+        shapes = with_brushes(a, b, settings, view, shapes)
     else:
         from shapeblend_cli.blending.parts.faded import with_details_faded  # icons mostly have one colour
 
         shapes = with_details_faded(usual, view.larger_side)
     if may_swap:
-        shapes = _exchanged(a, b, settings, view, progress, shapes)
+        shapes = _exchanged(asked, shapes)
     if not are_plain or shapes is not usual:
         return shapes
-    pair = partial(_paired, *outlined, settings, progress)
+    pair = partial(_paired, a, b, settings, asked.progress)
     shapes = with_crossings_undone(usual, pair, partial(_blended_and_paced, view=view), view)
     # Without crossings, too, it may be beyond hope.
     is_new = may_swap and shapes is not usual
-    return _exchanged(a, b, settings, view, progress, shapes) if is_new else shapes
+    return _exchanged(asked, shapes) if is_new else shapes
 
 
-def _exchanged(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress, shapes: Shapes
-) -> Shapes:
+def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:
     """Return a blend, or if it looks bad one in which the drawings take each other's place."""
+    a, b, settings, view, progress = asked
     hopeless = is_hopeless(shapes, view)
     if not (hopeless or is_flawed(shapes, view)):
         return shapes
@@ -174,44 +185,23 @@ def _exchanged(
     return found or (swapped(a, b, settings, view) if hopeless else shapes)
 
 
-def _special(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes) -> Shapes:
-    """Return the blend of two drawings of one colour, or a special one."""
-    special = with_signs_inverted(a, b, settings, view, usual)
-    special = with_gaps_closed(a, b, settings, view, special)
-    special = with_slots_closed(a, b, view, special)
-    return with_brushes(a, b, settings, view, special)
-
-
 def _in_outlines(
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    pens: tuple[PenDrawing, PenDrawing] | None,
-    settings: Settings,
-    view: Box,
+    asked: _Asked, pens: tuple[PenDrawing, PenDrawing] | None
 ) -> Iterator[tuple[PlacedDrawing, PlacedDrawing]]:
     """Yield two drawings as they are, and with strokes as outlines if one of these may cross fills out."""
-    yield a, b
+    yield asked.a, asked.b
     if pens is None or not any(pen.bodies for pen in pens):
         return
     from shapeblend_cli.pens.slashes import is_slash  # many drawings have no lines
 
     if any(is_slash(line) for pen in pens for line in pen.lines):
-        outlined = all_outlines(a, b, settings, view)
+        outlined = all_outlines(*asked.drawn)
         if outlined is not None:
             yield outlined
 
 
-def _is_free(settings: Settings) -> bool:
-    """Return whether a blend may take any motion and pace."""
-    return settings.motion == "auto" and not (settings.mix or settings.has_spans)
-
-
 def _by_lines_or_outlines(
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    settings: Settings,
-    view: Box,
-    progress: Progress,
+    asked: _Asked,
     pens: tuple[PenDrawing, PenDrawing] | None,
     lines: LineBlend | None,
     swap: Callable[[Shapes], Shapes],
@@ -220,30 +210,30 @@ def _by_lines_or_outlines(
 
     `swap` returns a blend, or one in which the drawings take each other's place.
     """
-    is_sign = _is_free(settings) and pens is not None and max(pen.share for pen in pens) >= ALL
-    outlined = partial(_by_outlines, view=view, progress=progress)
+    view = asked.view
+    is_sign = asked.settings.is_free and pens is not None and max(pen.share for pen in pens) >= ALL
 
     def paced(shapes: Shapes, kept: float = 1.0, *, by_size: bool = True) -> Shapes:
-        if not _is_free(settings):
+        if not asked.settings.is_free:
             return shapes
         return with_parts_paced(shapes, view.larger_side, kept if is_sign else None, by_size=by_size)
 
     if lines is None:
-        return paced(outlined(a, b, settings))
-    rest = [side._replace(contours=left) for side, left in zip((a, b), lines.rest, strict=True)]
-    is_all = not any(side.contours for side in rest)
-    solid = () if is_all else outlined(rest[0], rest[1], lines.settings)
+        return paced(_by_outlines(asked))
+    a, b = (side._replace(contours=left) for side, left in zip(asked[:2], lines.rest, strict=True))
+    is_all = not any(lines.rest)
+    solid = () if is_all else _by_outlines(asked._replace(a=a, b=b, settings=lines.settings))
 
     def together(by_size: bool) -> Shapes:
         shapes = (*paced(solid, lines.kept, by_size=by_size), *lines.shapes)
-        return carried_by_lines(shapes) if _is_free(settings) else shapes
+        return carried_by_lines(shapes) if asked.settings.is_free else shapes
 
     if lines.is_sure:
         return together(by_size=True)
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
     faults = faults_of(tuple(map(in_full_width, plain)), view)
-    outlines = outlined(a, b, settings)
+    outlines = _by_outlines(asked)
     other = faults_of(paced(outlines, by_size=False), view)
     if other < faults - (LESS if faults >= FAILS and other < SHIPS else MARGIN):
         return paced(outlines)
@@ -252,24 +242,24 @@ def _by_lines_or_outlines(
     return together(by_size=True)
 
 
-def _by_outlines(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
-) -> Shapes:
+def _by_outlines(asked: _Asked) -> Shapes:
     """Blend two drawings by their outlines, of which some may be cut, and by the lines that are cut out of plates."""
+    a, b, settings, view, progress = asked
     move = partial(_blended, view=view)
-    plates = plates_of(a, b, settings, view) if wants_lines(settings) else []
+    plates = plates_of(*asked.drawn) if wants_lines(settings) else []
     if plates:
         solid = [without_inlays(drawing, plates, side) for side, drawing in enumerate((a, b))]
         paired = pair_drawings(solid[0], solid[1], settings, 0.0, progress)
         inlaid = with_inlays(move(paired), plates, view)
         if inlaid is not None:
             return tuple(inlaid)
-    sides = with_outlines(a, b, settings, view)
+    sides = with_outlines(*asked.drawn)
     works = _works(*sides, progress)
     paired = _paired(*sides, settings, progress)
     shapes = move(paired)
-    if _is_free(settings):
-        paired, shapes = with_better_pairs(paired, shapes, move, view, works)
+    if not settings.is_free:
+        return shapes
+    paired, shapes = with_better_pairs(paired, shapes, move, view, works)
     return _with_bodies(paired, shapes, view)
 
 
@@ -295,7 +285,7 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     That is asked if either had no partner, and both have about one colour.
     """
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
-    if not _is_free(settings) or paired.is_fixed:
+    if paired.is_fixed:
         return usual
     fills = [[c for c in side.contours if c.role == EXTERIOR and c.style.fill is not None] for side in (a, b)]
     if not all(fills):
@@ -314,33 +304,25 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     return shapes if faults_of(shapes, view) < faults - BETTER else usual
 
 
-def _pens(
-    a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, progress: Progress
-) -> tuple[PenDrawing, PenDrawing] | None:
+def _pens(asked: _Asked) -> tuple[PenDrawing, PenDrawing] | None:
     """Return two drawings as pen lines, if they may be blended by these and there are any."""
-    if not wants_lines(settings):
+    if not wants_lines(asked.settings):
         return None
-    scale = UNITS / view.larger_side
+    scale = UNITS / asked.view.larger_side
     pens = tuple(
-        progress.once_for("pens", side, scale, partial(pen_drawing, side, scale, MOST_LINES))
-        for side in (a, b)
+        asked.progress.once_for("pens", side, scale, partial(pen_drawing, side, scale, MOST_LINES))
+        for side in asked[:2]
     )
     return (pens[0], pens[1]) if any(pen.lines for pen in pens) else None
 
 
-def _lines(
-    a: PlacedDrawing,
-    b: PlacedDrawing,
-    pens: tuple[PenDrawing, PenDrawing] | None,
-    settings: Settings,
-    view: Box,
-) -> LineBlend | None:
+def _lines(asked: _Asked, pens: tuple[PenDrawing, PenDrawing] | None) -> LineBlend | None:
     """Return how the pen lines of two drawings become each other, if they are blended by these."""
     if pens is None:
         return None
     from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have no lines
 
-    return blend_lines(a, b, pens, settings, UNITS / view.larger_side)
+    return blend_lines(asked.a, asked.b, pens, asked.settings, UNITS / asked.view.larger_side)
 
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:
@@ -375,7 +357,7 @@ def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Bo
 def _draws_strokes(paired: PairedDrawings) -> bool:
     """Return whether strokes and slashes without a partner may be drawn on and back."""
     settings = paired.settings
-    is_free = _is_free(settings) and settings.unmatched == "auto" and not paired.rotation
+    is_free = settings.is_free and settings.unmatched == "auto" and not paired.rotation
     if not is_free or not wants_lines(settings) or paired.copies is not None:
         return False
     return any(

@@ -329,6 +329,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         return self.has_spans and isinstance(self.ease, Curve)
 
     @property
+    def is_free(self) -> bool:
+        """Whether a blend may take any motion and pace."""
+        return self.motion == "auto" and not (self.mix or self.has_spans)
+
+    @property
     def has_spans(self) -> bool:
         """Whether parts have times of their own."""
         return bool(self.stagger or self.timing.parts)

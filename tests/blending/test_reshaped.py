@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 import shapeblend_cli as sb
-from shapeblend_cli.blending.blended import _exchanged
+from shapeblend_cli.blending.blended import _Asked, _exchanged
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swaps import traced, unlike
 from shapeblend_cli.blending.swaps.reshaped import APPEARS, FARTHEST, MOST_TURNED, MOVING, VANISHES, are_alike
@@ -184,7 +184,7 @@ def test_a_flawed_blend_is_left_if_the_silhouettes_are_unlike(monkeypatch, hands
         monkeypatch.setattr(f"shapeblend_cli.blending.{name}", lambda *_, answer=answer, **__: answer)
     monkeypatch.setattr("shapeblend_cli.blending.blended.ink_of", lambda *_: ())
     shapes = hands.shapes
-    assert _exchanged(None, None, Settings(), None, None, shapes) is shapes
+    assert _exchanged(_Asked(None, None, Settings(), None, None), shapes) is shapes
 
 
 def test_a_note_says_so(tmp_path, capsys):

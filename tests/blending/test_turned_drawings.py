@@ -51,8 +51,8 @@ def test_a_pole_that_would_become_the_other_side_of_its_flag_is_turned_over():
 
 
 def test_a_mirror_image_is_turned_over_rather_than_taking_the_place_of_the_drawing(monkeypatch):
-    def exchange(a, b, settings, view, *others):
-        return swapped(a, b, settings, view)
+    def exchange(asked, *others):
+        return swapped(*asked.drawn)
 
     monkeypatch.setattr(blended, "_by_lines_or_outlines", exchange)
     monkeypatch.setattr(turned_drawings, "_is_clean", lambda shapes, view: True)
