@@ -212,14 +212,7 @@ def recovered_lines(
     """Return the lines of an exterior with its holes, and what sticks out of them, if it is mostly lines."""
     if not all(contour.contour.closed for contour in members):
         return None
-    regions = []
-    for contour in members:
-        segments = contour.contour.segments * scale
-        is_exterior = contour.role != HOLE
-        regions.append(
-            segments if (cubics.signed_area(segments) > 0.0) == is_exterior else segments[::-1, ::-1]
-        )
-    whole = recover(regions)
+    whole = recover([with_region_on_left(contour, scale) for contour in members])
     style, first = members[0].style, members[0]
     if whole is None or (whole[1] and (style.fill_opacity < 1.0 or style.fill_gradient is not None)):
         return None
@@ -247,6 +240,13 @@ def recovered_lines(
         for k, line in enumerate(found, 1)
     ]
     return lines, [_rest(each / scale, first, len(members[0].polygon.vertices)) for each in rests]
+
+
+def with_region_on_left(contour: PlacedContour, scale: float) -> ComplexArray:
+    """Return the segments of an exterior or a hole, in units, with what is painted on their left."""
+    segments = contour.contour.segments * scale
+    is_left = (cubics.signed_area(segments) > 0.0) == (contour.role != HOLE)
+    return segments if is_left else segments[::-1, ::-1]
 
 
 def _rest(polygon: ComplexArray, exterior: PlacedContour, vertices: int) -> PlacedContour:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy.decompose import HOLE
 from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.plates.inverted import is_blend_of
-from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ShapeBlend
+from shapeblend_cli.pens.drawings import with_region_on_left
 from shapeblend_cli.pens.line import UNITS, length
 from shapeblend_cli.pens.named_lines import wants_lines
 
@@ -137,15 +137,10 @@ def _regions(drawing: PlacedDrawing, scale: float) -> list[Region]:
     groups: dict[int, list[PlacedContour]] = defaultdict(list)
     for contour in drawing.contours:
         groups[contour.number if contour.exterior is None else contour.exterior].append(contour)
-    regions = []
-    for number, members in groups.items():
-        rings = []
-        for contour in members:
-            segments = contour.contour.segments * scale
-            is_left = (cubics.signed_area(segments) > 0.0) == (contour.role != HOLE)
-            rings.append(outline_points(segments if is_left else segments[::-1, ::-1]))
-        regions.append(Region(number, rings))
-    return regions
+    return [
+        Region(number, [outline_points(with_region_on_left(contour, scale)) for contour in members])
+        for number, members in groups.items()
+    ]
 
 
 def _strokes(drawing: PlacedDrawing, widest: float, scale: float) -> list[tuple[Region, list[Stroke]]] | None:
