@@ -110,7 +110,7 @@ class PlacedContour(NamedTuple):
         return self._replace(contour=back.contour, polygon=back.polygon)
 
     def transformed(self, by: Callable[[ComplexArray], ComplexArray]) -> PlacedContour:
-        """Return the contour under a map of points that does not scale."""
+        """Return the contour under a map of points; its style stays, so that strokes keep their widths."""
         contour = replace(self.contour, segments=by(self.contour.segments))
         return self._replace(
             contour=contour, polygon=replace(self.polygon, vertices=by(self.polygon.vertices))

@@ -6,7 +6,6 @@ other drawing open in what is solid.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -25,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, ContourBlend, Shapes
+    from shapeblend_cli.model import ContourBlend, Shapes
     from shapeblend_cli.options.settings import Settings
 
 SHIPS = 1.25
@@ -107,13 +106,7 @@ def _seat(island: PlacedContour, whole: PlacedContour) -> PlacedContour | None:
 
 def _scaled(contour: PlacedContour, centre: complex, size: float) -> PlacedContour:
     """Return a contour about another centre, so many times as large."""
-
-    def moved(points: ComplexArray) -> ComplexArray:
-        return centre + size * (points - contour.centre)
-
-    outline = replace(contour.contour, segments=moved(contour.contour.segments))
-    polygon = replace(contour.polygon, vertices=moved(contour.polygon.vertices))
-    return contour._replace(contour=outline, polygon=polygon)
+    return contour.transformed(lambda points: centre + size * (points - contour.centre))
 
 
 def _gap(contours: Sequence[PlacedContour]) -> _Gap | None:
