@@ -221,9 +221,8 @@ def _keeps_its_parts(shapes: Shapes, image: Callable[[ComplexArray], ComplexArra
     if not contours:
         return False
     size = max(contour.polygon_a.box.larger_side for contour in contours)
-    dots = [contour.correspondence.dots.T for contour in contours]
-    points = np.concatenate([c.polygon_a.vertices[i] for c, (i, _) in zip(contours, dots, strict=True)])
-    partners = np.concatenate([c.polygon_b.vertices[j] for c, (_, j) in zip(contours, dots, strict=True)])
+    dots = [contour.dot_points() for contour in contours]
+    points, partners = (np.concatenate(side) for side in zip(*dots, strict=True))
     return any(np.abs(there - partners).mean() <= LITTLE_MOVED * size for there in (points, image(points)))
 
 

@@ -61,7 +61,6 @@ def with_parts_paced(
             part: share for part, share in early.items() if part[0] is None or share > small.get(part, 0.0)
         }
         early = small | told
-    if is_by_size:
         shapes = tuple(_drawn_in_time(shape, early) if _is_drawn(shape, early) else shape for shape in shapes)
         drawn = {c.numbers for shape in shapes if _is_drawn(shape, early) for c in shape.contours}
         early = {part: share for part, share in early.items() if part not in drawn}
