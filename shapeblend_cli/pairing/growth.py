@@ -13,7 +13,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE
 from shapeblend_cli.geometry.polygons import centroid, mean_value_weights, winding_numbers
-from shapeblend_cli.geometry.polyline import nearest_places, thin
+from shapeblend_cli.geometry.polyline import are_near, thin
 from shapeblend_cli.model import Box, Root
 from shapeblend_cli.pairing.riders import riders
 
@@ -344,7 +344,7 @@ def _near(some: Sequence[PlacedContour], others: Sequence[PlacedContour], distan
 
 def _contacts(points: ComplexArray, other: PlacedContour, touching: float) -> ComplexArray:
     """Return the points of a contour that lie in another one, or within a distance of it."""
-    near = nearest_places(points, other.polygon.line)[0] <= touching
+    near = are_near(points, other.polygon.line, touching)
     if other.polygon.closed and other.style.fill is not None:
         near |= winding_numbers(points, other.polygon.vertices) != 0
     return points[near]
@@ -352,9 +352,9 @@ def _contacts(points: ComplexArray, other: PlacedContour, touching: float) -> Co
 
 def _lies_in(contour: PlacedContour, host: PlacedContour, distance: float) -> bool:
     """Return whether nearly all of a contour lies in another one, or within a distance of it."""
-    points, outline = thin(contour.polygon.vertices, WATCHED), host.polygon.vertices
-    inside = winding_numbers(points, outline) != 0
-    near = nearest_places(points, np.append(outline, outline[0]))[0] <= distance
+    points = thin(contour.polygon.vertices, WATCHED)
+    inside = winding_numbers(points, host.polygon.vertices) != 0
+    near = are_near(points, host.polygon.line, distance)
     return float((inside | near).mean()) >= NEARLY_ALL
 
 

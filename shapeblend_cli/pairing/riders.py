@@ -15,7 +15,7 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR, LINE, PlacedContour
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
-from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_numbers, nearest_places
+from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, nearest_numbers, nearest_places
 from shapeblend_cli.model import Box, Contour, Style, unroll
 from shapeblend_cli.wires.contour_blends import follow
 
@@ -263,7 +263,6 @@ def _near(points: ComplexArray, width: float, strokes: Sequence[PlacedContour]) 
     box = Box.around(points).expanded(width)
     for k, other in enumerate(strokes):
         if box.overlaps(other.box.expanded(width)):
-            near[k] = nearest_places(points, other.polygon.line)[0] <= COVERED * min(
-                width, other.style.stroke_width
-            )
+            reach = COVERED * min(width, other.style.stroke_width)
+            near[k] = are_near(points, other.polygon.line, reach)
     return near
