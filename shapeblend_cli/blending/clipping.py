@@ -45,7 +45,7 @@ ROOM = 0.05
 Watch = Callable[[str, float], None]
 
 
-def with_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, share: None) -> Pair:
+def with_clips(pair: Pair, settings: Settings, watch: Watch) -> Pair:
     """Return a pair whose shapes have the clips of both drawings, outermost with outermost.
 
     A box around the shape stands for a missing clip. Clips that cannot be blended clip nothing on the way. Those of a
@@ -69,7 +69,7 @@ def with_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, shar
     return pair._replace(shapes=tuple(shapes))
 
 
-def with_effect_clips(pair: Pair, settings: Settings, watch: Watch = lambda stage, share: None) -> Pair:
+def with_effect_clips(pair: Pair, settings: Settings, watch: Watch) -> Pair:
     """Return a pair whose effects have the clips of both drawings; the region of a filter stands for a missing one."""
     clips = _Clips(pair, settings, watch)
     known: dict[int, EffectBlend] = {}

@@ -39,7 +39,7 @@ def view_of(
     return Box.union([viewbox, _with_margin(painted)])
 
 
-def with_room(pairs: Sequence[Pair], keeping: str = "auto") -> list[Pair]:
+def with_room(pairs: Sequence[Pair], keeping: str) -> list[Pair]:
     """Return pairs whose views are enlarged for shapes that leave them between the drawings.
 
     `keeping` is the value of `--viewbox`. A drawing that ends one pair and begins the next has the same view in both.

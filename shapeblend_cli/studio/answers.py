@@ -178,7 +178,7 @@ def _kept_lists(contour: ContourBlend, decimals: int) -> dict[str, Any]:
 def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
     """Return a drawing as the page shows it, in its own coordinates: what it paints, and its contours by number."""
     shapes = as_drawn(drawing)
-    view = view_of(shapes, drawing.viewbox, "auto", own=True)
+    view = view_of(shapes, drawing.viewbox)
     decimals = decimals_for([view])
     contours = [
         {

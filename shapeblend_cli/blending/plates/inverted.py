@@ -136,14 +136,12 @@ def growing(
     return grow_from_point(contour, middle, of_b=bool(here))
 
 
-def is_blend_of(
-    shapes: Shapes, a: PlacedDrawing, b: PlacedDrawing, view: Box, most: float = SAME_PICTURE
-) -> bool:
+def is_blend_of(shapes: Shapes, a: PlacedDrawing, b: PlacedDrawing, view: Box) -> bool:
     """Return whether shapes paint what two drawings do, at their start and at their end, but for a share of the ink."""
-    return _paints_alike(shapes, 0.0, a, view, most) and _paints_alike(shapes, 1.0, b, view, most)
+    return _paints_alike(shapes, 0.0, a, view) and _paints_alike(shapes, 1.0, b, view)
 
 
-def _paints_alike(shapes: Shapes, t: float, drawing: PlacedDrawing, view: Box, most: float) -> bool:
+def _paints_alike(shapes: Shapes, t: float, drawing: PlacedDrawing, view: Box) -> bool:
     """Return whether shapes paint what a drawing does, but for a share of the ink."""
     from shapeblend_cli.frames.frames import shapes_at
     from shapeblend_cli.grading.painting import picture  # few blends come so far
@@ -154,4 +152,4 @@ def _paints_alike(shapes: Shapes, t: float, drawing: PlacedDrawing, view: Box, m
         whole.setdefault(contour.shape, []).append(contour)
     drawn = [PaintedShape(tuple(c.contour for c in group), group[0].style) for group in whole.values()]
     inks = [picture(painted, view)[3] for painted in (shapes_at(pair, t), drawn)]
-    return float(np.abs(inks[0] - inks[1]).sum()) <= most * float(inks[1].sum())
+    return float(np.abs(inks[0] - inks[1]).sum()) <= SAME_PICTURE * float(inks[1].sum())
