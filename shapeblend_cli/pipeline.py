@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from shapeblend_cli.anatomy import decompose
 from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
-from shapeblend_cli.blending.matched import Progress, is_star
+from shapeblend_cli.blending.matched import Progress
 from shapeblend_cli.blending.placing import lay
 from shapeblend_cli.frames.views import with_room
 from shapeblend_cli.model import Box, Pair
@@ -57,7 +57,7 @@ def match_all(
     """
     clock, kept = clock or Clock(), kept or Kept(0)
     drawings, specks = without_specks(with_kept_text(drawings, settings), settings)
-    if settings.mix and (len(drawings) > 2 or is_star(settings)):
+    if settings.mix and (len(drawings) > 2 or settings.is_star):
         drawings, left_out = _without_pictures(drawings)
         specks = [*specks, *left_out]
     if settings.mix:

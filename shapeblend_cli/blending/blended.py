@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.anatomy.letters import has_letters
 from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
-from shapeblend_cli.blending.matched import is_star, match_pairs, pair_drawings, with_reasons
+from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
 from shapeblend_cli.blending.parts.paced import with_parts_paced
@@ -107,7 +107,7 @@ def blend_shapes(
         shapes, places = match_pairs(paired)
         if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
             return _moved(paired, shapes, places, view)
-    may_cross_out = settings.strokes != "recover" and not is_star(settings)
+    may_cross_out = settings.strokes != "recover" and not settings.is_star
     for outlined in _in_outlines(asked, pens) if may_cross_out else ():
         if crossed := crossed_out(*outlined, settings):
             paired = pair_drawings(*outlined, settings, 0.0, progress, crossed)

@@ -188,11 +188,6 @@ def _unnamed(settings: Settings) -> str:
     return repr(settings.replace(**named))
 
 
-def is_star(settings: Settings) -> bool:
-    """Return whether settings are those of a mixture."""
-    return bool(settings.mix) and settings.motion == "linear" and settings.unmatched == "point"
-
-
 def pair_drawings(
     a: PlacedDrawing,
     b: PlacedDrawing,
@@ -210,7 +205,7 @@ def pair_drawings(
     progress.tell("pairing", 0.0)
     pins = point_pins(a, b, settings)
     asked = required_pairs(a, b, settings) + [pin.pair for pin in pins]
-    if not (changed or rotation or is_star(settings)):
+    if not (changed or rotation or settings.is_star):
         changed = changes(a.contours, b.contours, settings)
     rest = unchanged(a.contours, changed, 0), unchanged(b.contours, changed, 1)
     required = [*asked, *wanted]

@@ -334,6 +334,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         return self.motion == "auto" and not (self.mix or self.has_spans)
 
     @property
+    def is_star(self) -> bool:
+        """Whether drawings are mixed, and parts go straight, those without a partner to points."""
+        return bool(self.mix) and self.motion == "linear" and self.unmatched == "point"
+
+    @property
     def has_spans(self) -> bool:
         """Whether parts have times of their own."""
         return bool(self.stagger or self.timing.parts)
