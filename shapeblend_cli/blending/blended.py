@@ -11,6 +11,7 @@ from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
+from shapeblend_cli.blending.parts.alone import carried_by_lines
 from shapeblend_cli.blending.parts.paced import with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
@@ -31,7 +32,6 @@ from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
 from shapeblend_cli.blending.uncrossed import with_crossings_undone
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.early import carried_by_lines
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from shapeblend_cli.blending.parts.alone import alone_in_the_way
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.interpolate.paths import paths_at, waypoints
-from shapeblend_cli.motion.early import Early, alone_in_the_way
+from shapeblend_cli.motion.early import Early
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pipeline import match_all
 from tests.support.drawings import drawing

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.blending.parts.alone import STIRS, change_of
 from shapeblend_cli.geometry.polygons import mean_value_table, weighted_sums, winding_numbers
 from shapeblend_cli.model import WHOLE, Box, Correspondence, Fade
 from shapeblend_cli.motion.choose import FADES
-from shapeblend_cli.motion.early import STIRS, Early, change_of
+from shapeblend_cli.motion.early import Early
 from shapeblend_cli.motion.rigid import Rigid
 
 if TYPE_CHECKING:

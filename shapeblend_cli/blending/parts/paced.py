@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, cast
 
-from shapeblend_cli.model import WHOLE
-from shapeblend_cli.motion.early import (
+from shapeblend_cli.blending.parts.alone import (
     CHANGES,
-    DETAIL,
     STIRS,
     alone_in,
     alone_in_the_way,
@@ -20,6 +18,7 @@ from shapeblend_cli.motion.early import (
     shares_by_size,
     with_early_parts,
 )
+from shapeblend_cli.model import WHOLE
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Mapping, Sequence
@@ -27,6 +26,9 @@ if TYPE_CHECKING:
     from shapeblend_cli.model import ContourBlend, ShapeBlend
     from shapeblend_cli.motion.early import Numbers
     from shapeblend_cli.motion.pen import Moving, Pen
+
+DETAIL = 0.2
+"""Maximum size of a part that is a detail of a drawing, as a share of the view's side."""
 
 KEPT = 0.3
 """Minimum share of lines that stay for what sticks out of the others to take all of the time to come or go."""
