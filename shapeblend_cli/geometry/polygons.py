@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 from functools import wraps
 from typing import TYPE_CHECKING, TypeVar
 from weakref import WeakKeyDictionary
@@ -26,6 +27,9 @@ Value = TypeVar("Value")
 
 GRID = 24
 """Number of points along each side of the box at which the interior is sampled."""
+
+ROUNDING = 1e-6
+"""Tolerance of an upright unit vector."""
 
 
 def signed_area(vertices: ComplexArray) -> float:
@@ -100,6 +104,13 @@ def _share_with_sign(vertices: ComplexArray, sign: int) -> float:
     numbers = winding_numbers(Box.around(vertices).grid(GRID), vertices)
     inside = np.count_nonzero(numbers)
     return float(np.count_nonzero(numbers * sign > 0) / inside) if inside else 0.0
+
+
+def axis_of(doubled: complex) -> complex:
+    """Return the unit vector, to the right or downwards, at half the angle of a number, as of a sum of squares."""
+    axis = cmath.rect(1.0, 0.5 * cmath.phase(doubled))
+    axis = axis if axis.real >= 0.0 else -axis
+    return -axis if axis.imag < -1.0 + ROUNDING else axis
 
 
 def polyline_contour(vertices: ComplexArray, closed: bool = True) -> Contour:

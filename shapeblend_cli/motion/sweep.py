@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import cmath
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.grouping import grouped, overlaps
+from shapeblend_cli.geometry.polygons import axis_of
 from shapeblend_cli.model import Contour
 from shapeblend_cli.model.arrays import numbered
 
@@ -35,9 +35,6 @@ AT_END = 0.05
 
 JOINED = 0.8
 """Minimum width of the joint at the end of a window, as a share of the width of all joints."""
-
-ROUNDING = 1e-6
-"""Tolerance of an upright unit vector."""
 
 
 class Window(NamedTuple):
@@ -133,24 +130,13 @@ def _window(loops: Sequence[Contour], *, from_middle: bool) -> Window | None:
     edges = edges[edges != 0.0]
     doubled = edges**2 / np.abs(edges)
     upright = UPRIGHT if from_middle else 0.0
-    mostly = _half(doubled.sum() - upright * np.abs(edges).sum())
+    mostly = axis_of(doubled.sum() - upright * np.abs(edges).sum())
     parallel = np.abs(np.angle(doubled * (mostly.conjugate() ** 2))) <= 2.0 * PARALLEL
     found: list[tuple[float, Window]] = []
-    for axis in (_half(doubled[parallel].sum()), _half(((points - points.mean()) ** 2).sum())):
+    for axis in (axis_of(doubled[parallel].sum()), axis_of(((points - points.mean()) ** 2).sum())):
         turned = points * axis.conjugate()
         low, high = float(turned.real.min()), float(turned.real.max())
         width = float(np.ptp(turned.imag)) / (high - low)
         found.append((width, Window(axis, 0.5 * (low + high) if from_middle else low, (low, high))))
     width, window = found[0] if found[0][0] <= max(BAR, CLEARLY * found[1][0]) else found[1]
     return window if from_middle or width <= BAR else None
-
-
-def _half(doubled: complex) -> complex:
-    """Return the unit vector, to the right or downwards, at half the angle of a number."""
-    return rightwards(cmath.rect(1.0, 0.5 * cmath.phase(doubled)))
-
-
-def rightwards(axis: complex) -> complex:
-    """Return a unit vector or its opposite: the one to the right, or downwards."""
-    axis = axis if axis.real >= 0.0 else -axis
-    return -axis if axis.imag < -1.0 + ROUNDING else axis

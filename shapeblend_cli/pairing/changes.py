@@ -114,7 +114,7 @@ def _closed(pieces: Sequence[tuple[ComplexArray, BoolArray]], *, backwards: bool
 
 def _loops_of(shared: Shared) -> tuple[Shared, list[_Loop]]:
     """Return loops that make B of A: whole outlines if those between shared stretches do not."""
-    from shapeblend_cli.motion.slash import paint_the_same
+    from shapeblend_cli.anatomy.slash import paint_the_same
 
     loops = _loops(shared)
     a, b = ([flat.contour for flat in side] for side in shared.outlines)
@@ -199,7 +199,7 @@ def crossed_out(a: PlacedDrawing, b: PlacedDrawing, settings: Settings) -> list[
         return []
     if not all(are_painted_alike(p[0].style, q[0].style) for p, q in zip(*paints, strict=True)):
         return []
-    from shapeblend_cli.motion.slash import slash_axis
+    from shapeblend_cli.anatomy.slash import slash_axis
     from shapeblend_cli.motion.sweep import window_along
 
     outlines = [[c.contour for c in side[-1]] for side in paints]  # the uppermost: it has the slash

@@ -5,15 +5,13 @@ Only what is painted counts, so that the drawing may be cut into pieces or drawn
 
 from __future__ import annotations
 
-import cmath
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import ring_edges
+from shapeblend_cli.geometry.polygons import axis_of, ring_edges
 from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.motion.sweep import rightwards
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -146,7 +144,7 @@ def _axes(chords: ComplexArray) -> list[tuple[complex, float]]:
         near = np.abs((angles[:, None] - angles + np.pi / 2.0) % np.pi - np.pi / 2.0) < SAME_AXIS
         best = int((near @ sizes).argmax())
         doubled = complex((sizes[near[best]] * np.exp(2j * angles[near[best]])).sum())
-        axis = rightwards(cmath.rect(1.0, 0.5 * cmath.phase(doubled)))
+        axis = axis_of(doubled)
         found.append((axis, float(sizes[near[best]].sum())))
         angles, sizes = angles[~near[best]], sizes[~near[best]]
     return found
