@@ -31,7 +31,7 @@ from shapeblend_cli.model import control_box
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.paint.styles import shape_styles
 from shapeblend_cli.pipeline import match_all
-from tests.support.drawings import drawing
+from tests.support.drawings import drawing, svg
 
 ICONS = Path("docs/icons")
 COPY, CHECK = "copy.svg", "check.svg"
@@ -87,6 +87,18 @@ def test_lines_that_would_tangle_make_room_though_rings_may_bend(tmp_path):
     assert is_swapped(pair.shapes)
     (other,) = sb.blend(*files, swap="never").pairs
     assert grade_of(other).number >= TOLD
+
+
+HAIRLINE = "M17.5-.5H30.4V0H4.1V-.5H17V-78.5H4.1V-79H17.5Z"
+BOLD = "M12 21H2V-41H-10V-39H0V21H-10V23H12Z"
+
+
+def test_a_hairline_becomes_bold_however_much_thicker_it_gets(tmp_path):
+    files = tmp_path / "hairline.svg", tmp_path / "bold.svg"
+    files[0].write_text(svg(HAIRLINE, viewbox="0 -83 35 87"))
+    files[1].write_text(svg(BOLD, viewbox="-13 -44 29 70"))
+    (pair,) = sb.blend(*files, place="asis").pairs
+    assert not is_swapped(pair.shapes)
 
 
 SHEETS = "M11.25 4.25v-2.5h-9.5v9.5h2.5m.5-6.5v9.5h9.5v-9.5z"

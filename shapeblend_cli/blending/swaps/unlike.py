@@ -149,6 +149,10 @@ SOLID = 0.3
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
+STRAIGHTFORWARD = 0.1
+"""Maximum spread of the turns along outlines that keep their directions, as those of a letter in another weight, in
+radians."""
+
 TURNING = ("rigid", "flip")
 """Motions that turn a drawing, or turn it over, without bending its lines."""
 
@@ -157,6 +161,8 @@ def are_too_unlike(
     a: PlacedDrawing, b: PlacedDrawing, shapes: Shapes, pens: tuple[PenDrawing, PenDrawing], view: Box
 ) -> bool:
     """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
+    if _keep_directions(shapes):
+        return False
     first, last = pens
     share = min(first.share, last.share)
     if share >= ALL and not any(shape.is_matched for shape in shapes):
@@ -205,9 +211,9 @@ def _is_faulty(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend has faults, and may be replaced.
 
     A single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a
-    plate in which lines become each other.
+    plate in which lines become each other, and what keeps its directions.
     """
-    if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1:
+    if is_swapped(shapes) or sum(len(shape.contours) for shape in shapes) == 1 or _keep_directions(shapes):
         return False
     if any(map(_is_inlaid, shapes)) or all(map(_is_turned_copy, shapes)):
         return False
@@ -236,6 +242,15 @@ def _is_turned_copy(shape: ShapeBlend) -> bool:
 def _is_inlaid(shape: ShapeBlend) -> bool:
     """Return whether a shape is a plate with lines that are cut out of it."""
     return shape.motion_name == "pen" and shape.style_a.fill is not None
+
+
+def _keep_directions(shapes: Shapes) -> bool:
+    """Return whether all are outlines that become others which run as they do: these may be thicker, but not unlike."""
+    contours = [contour for shape in shapes for contour in shape.contours]
+    are_outlines = all(
+        contour.is_matched and contour.start.closed and contour.end.closed for contour in contours
+    )
+    return are_outlines and all(_bending(contour, 0.0) <= STRAIGHTFORWARD for contour in contours)
 
 
 def _main_bending(shapes: Shapes) -> float:
