@@ -100,7 +100,7 @@ def _render_reacting(spec: OutputSpec, pairs: Sequence[Pair], page: Page) -> Ren
         for shape in move.shapes
         if shape.waypoints
     ]
-    notes = [*lost, *notes, *left_out(pairs, "CSS transitions")]
+    notes = [*lost, *notes, *left_out(pairs, "CSS transitions", clips="all")]
     return Rendered([reacting_css(reaction, spec.timing, spec.settings.ease, decimals)], notes)
 
 

@@ -13,7 +13,7 @@ from shapeblend_cli.svg.writing.path_data import path_data
 from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
     from xml.etree.ElementTree import Element
 
     from shapeblend_cli.model import PaintedShape, Pair
@@ -57,8 +57,6 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
     """Return an animated vector drawable that moves once."""
     from xml.etree import ElementTree
 
-    from shapeblend_cli.outputs.move import sections
-
     view = move.view
     root = ElementTree.Element("animated-vector", NAMESPACES)
     scale = min(1.0, LARGEST / view.larger_side)
@@ -72,13 +70,16 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
     shift = {"translateX": number(-view.x, decimals), "translateY": number(-view.y, decimals)}
     if set(shift.values()) != {"0"}:
         parent = _add(parent, "group", shift)
-    duration = max(1, round(1000 * timing.seconds))
     for shape in move.shapes:
+        regions = {
+            f"{shape.name}-clip-{k}": [(t, path_data([outline], decimals)) for t, outline in stops]
+            for k, stops in enumerate(shape.clips, 1)
+        }
         start, end = (_attributes(painted, decimals) for painted in (shape.start, shape.end))
         for side, key in enumerate(TRIMS if shape.trims else ()):
             start[key], end[key] = (number(shape.trims[k][1][side], 4) for k in (0, -1))
         shown = {key: value for key, value in start.items() if DEFAULTS.get(key) != value}
-        _add(parent, "path", {"name": shape.name, **shown})
+        _add(_clipped(parent, regions), "path", {"name": shape.name, **shown})
         changing = [key for key in start if key not in FIXED and start[key] != end[key]]
         painted = [
             _attributes(shape.start._replace(style=style), decimals) for _, style in shape.styles[1:-1]
@@ -99,15 +100,21 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
         for side, key in enumerate(TRIMS if shape.trims else ()):
             if key in stops:
                 stops[key] = [(t, number(part[side], 4)) for t, part in shape.trims]
-        moving = {key: sections(each, duration, timing.ease, 0) for key, each in stops.items()}
-        if moving:
-            animators = _inline(_add(root, "target", {"name": shape.name}), "animation")
-            if len(moving) > 1:
-                animators = _add(animators, "set")
-            for key, steps in moving.items():
-                _animate(animators, key, steps, round(1000 * timing.hold[0]))
+        _add_target(root, shape.name, stops, timing)
+        for name, each in regions.items():
+            _add_target(root, name, {"pathData": each} if each[0][1] != each[-1][1] else {}, timing)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+
+
+def _clipped(parent: Element, regions: Mapping[str, Sequence[tuple[float, str]]]) -> Element:
+    """Return where to add what regions clip: a group with them, if there are any. Each has its path data at times."""
+    if not regions:
+        return parent
+    group = _add(parent, "group")
+    for name, stops in regions.items():
+        _add(group, "clip-path", {"name": name, "pathData": stops[0][1]})
+    return group
 
 
 def too_long(move: Move, decimals: int) -> list[str]:
@@ -120,6 +127,22 @@ def too_long(move: Move, decimals: int) -> list[str]:
             what = f"its path has {length} characters, and Android takes {LONGEST}"
             notes.append(f"{name}: {what}; fewer --vertices make it shorter")
     return notes
+
+
+def _add_target(
+    root: Element, name: str, stops: Mapping[str, Sequence[tuple[float, str]]], timing: Timing
+) -> None:
+    """Add the animators of what has a name: of properties by their values at times, of which there may be none."""
+    from shapeblend_cli.outputs.move import sections
+
+    if not stops:
+        return
+    animators = _inline(_add(root, "target", {"name": name}), "animation")
+    if len(stops) > 1:
+        animators = _add(animators, "set")
+    duration = max(1, round(1000 * timing.seconds))
+    for key, each in stops.items():
+        _animate(animators, key, sections(each, duration, timing.ease, 0), round(1000 * timing.hold[0]))
 
 
 def _animate(parent: Element, key: str, steps: Sequence[Section[str]], rest: int) -> None:
@@ -190,7 +213,7 @@ def render(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         *move.unsupported_in("Android"),
         *dashed,
         *too_long(move, decimals),
-        *left_out(pairs, "Android"),
+        *left_out(pairs, "Android", clips="simple"),
         *runs_left_out(spec.timing, "a drawable of Android"),
     ]
     return Rendered([animated_vector(move, spec.timing, decimals)], notes)

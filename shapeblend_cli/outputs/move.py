@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Generic, Literal, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -289,15 +289,17 @@ def without_pictures(pairs: Sequence[Pair], where: str) -> tuple[Sequence[Pair],
     return left, [f"pictures are left out of {where}; frames and animated SVGs have them"]
 
 
-def left_out(pairs: Sequence[Pair], where: str, *, has_masks: bool = False) -> list[str]:
-    """Return a phrase for clip paths, and one for effects of groups, for a form that has none of them.
+def left_out(
+    pairs: Sequence[Pair], where: str, clips: Literal["none", "simple", "all"] = "none"
+) -> list[str]:
+    """Return a phrase for clip paths that a form has not, and one for effects of groups, of which it has none.
 
-    One that `has_masks` has clip paths of a single outline.
+    Clip paths of a single outline are `simple`.
     """
     notes = []
     clipped = [shape for pair in pairs for shape in pair.shapes if shape.clips]
-    if not all(has_masks and has_simple_clips(shape) for shape in clipped):
-        some = "clip paths of several outlines" if has_masks else "clip paths"
+    if clips != "all" and not all(clips == "simple" and has_simple_clips(shape) for shape in clipped):
+        some = "clip paths of several outlines" if clips == "simple" else "clip paths"
         notes.append(f"{some} are left out of {where}; frames and animated SVGs have them")
     if any(shape.effects for pair in pairs for shape in pair.shapes):
         from shapeblend_cli.paint.effects import kinds_in

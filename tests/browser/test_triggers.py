@@ -158,6 +158,19 @@ def test_pointing_at_it_moves_it_and_leaving_brings_it_back(here, show, method):
 
 
 @each_method
+def test_clip_paths_go_with_what_they_clip(here, show, method):
+    region = '<clipPath id="c"><path d="M{} 4H{}V20H{}Z"/></clipPath>'
+    cut = region + '<path id="box" d="M2 8H22V16H2Z" clip-path="url(#c)"/>'
+    halves = cut.format(2, 12, 2), cut.format(12, 22, 12)
+    shown = show(reacting("hover", method, a=halves[0], b=halves[1]))
+    for move, is_left in ((shown.point, False), (shown.leave, True)):
+        move()
+        half = np.full((500, 500), 255.0)
+        half[40:80, slice(10, 60) if is_left else slice(60, 110)] = 0.0
+        shown.comes_to_look_like(half)
+
+
+@each_method
 def test_the_focus_of_the_keyboard_moves_it_and_brings_it_back(here, show, method):
     shown = show(reacting("hover", method) + "<button>next</button>")
     shown.page.keyboard.press("Tab")

@@ -1,11 +1,13 @@
 """Clip paths that go along with what they clip."""
 
 import json
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from svgpathtools import parse_path
 
 from shapeblend_cli.cli import run
 from shapeblend_cli.options.settings import Settings
@@ -16,6 +18,7 @@ from tests.support.drawings import svg
 from tests.support.pictures import pixels
 
 SVG = "{http://www.w3.org/2000/svg}"
+ANDROID = "{http://schemas.android.com/apk/res/android}"
 
 
 def clipped(region, bands=10):
@@ -27,6 +30,7 @@ def clipped(region, bands=10):
 
 
 LEFT, RIGHT = '<path d="M2 6H10V14H2Z"/>', '<path d="M10 8H22V20H10Z"/>'
+LEFT_CORNERS, RIGHT_CORNERS = {2 + 6j, 10 + 6j, 10 + 14j, 2 + 14j}, {10 + 8j, 22 + 8j, 22 + 20j, 10 + 20j}
 
 
 def frames(*options):
@@ -87,29 +91,60 @@ def test_a_region_without_area_does_not_stop_a_blend(here):
     assert len(regions(text)) == 1
 
 
-@pytest.mark.parametrize(
-    ("options", "where"),
-    [
-        ("--emit avd", "Android"),
-        ("--emit pair", "--emit pair"),
-        ("-o x.svg --trigger hover --animate css", "CSS transitions"),
-    ],
-)
-def test_what_has_no_clips_says_so(here, capsys, options, where):
+def test_what_has_no_clips_says_so(here, capsys):
     write(a=clipped(LEFT), b=clipped(RIGHT))
-    assert run(["a.svg", "b.svg", *options.split()]) == 0
-    assert f"clip paths are left out of {where}" in capsys.readouterr().err
+    assert run("a.svg b.svg --emit pair".split()) == 0
+    assert "clip paths are left out of --emit pair" in capsys.readouterr().err
 
 
-def test_lottie_has_clips_of_one_outline(here, capsys):
+@pytest.mark.parametrize(("suffix", "where"), [("json", "Lottie"), ("xml", "Android")])
+def test_other_programs_have_clips_of_one_outline(here, capsys, suffix, where):
+    write(a=clipped(LEFT), b=clipped(RIGHT))
+    assert run(f"a.svg b.svg -o one.{suffix}".split()) == 0
+    assert capsys.readouterr().err == ""
+    write(a=clipped(LEFT + RIGHT))
+    assert run(f"a.svg b.svg -o several.{suffix}".split()) == 0
+    assert f"clip paths of several outlines are left out of {where}" in capsys.readouterr().err
+
+
+def test_each_layer_of_lottie_has_its_mask(here):
     write(a=clipped(LEFT), b=clipped(RIGHT))
     assert run("a.svg b.svg -o one.json".split()) == 0
     layers = json.loads(Path("one.json").read_text())["layers"]
     assert [len(layer.get("masksProperties", ())) for layer in layers] == [1] * len(layers)
+
+
+def test_android_moves_the_outline_of_a_clip(here):
+    write(a=clipped(LEFT), b=clipped(RIGHT))
+    assert run("a.svg b.svg -o one.xml".split()) == 0
+    root = ElementTree.parse("one.xml").getroot()
+    found = [
+        (clip.get(ANDROID + "name"), clip.get(ANDROID + "pathData"), len(group))
+        for group in root.iter("group")
+        for clip in group.findall("clip-path")
+    ]
+    assert [(name, size) for name, _, size in found] == [("shape-1-clip-1", 2), ("shape-2-clip-1", 2)]
+    moves = {
+        target.get(ANDROID + "name"): animator.attrib
+        for target in root.findall("target")
+        for animator in target.iter("objectAnimator")
+    }
+    for name, data, _ in found:
+        assert moves[name][ANDROID + "valueFrom"] == data
+        assert set(points(moves[name][ANDROID + "valueTo"])) == RIGHT_CORNERS
+
+
+def test_css_transitions_move_clips(here, capsys):
+    write(a=clipped(LEFT), b=clipped(RIGHT))
+    assert run("a.svg b.svg -o x.svg --trigger hover --animate css".split()) == 0
     assert capsys.readouterr().err == ""
-    write(a=clipped(LEFT + RIGHT))
-    assert run("a.svg b.svg -o several.json".split()) == 0
-    assert "clip paths of several outlines are left out of Lottie" in capsys.readouterr().err
+    root = ElementTree.parse("x.svg").getroot()
+    (outline,) = root.findall(f".//{SVG}clipPath/{SVG}path")
+    (style,) = root.findall(f"{SVG}style")
+    rest, hover = re.findall(rf"\.{outline.get('class')}{{d:path\(\"([^\"]*)\"\)", style.text)
+    assert rest == outline.get("d")
+    assert {segment.start for segment in parse_path(rest)} == LEFT_CORNERS
+    assert {segment.start for segment in parse_path(hover)} == RIGHT_CORNERS
 
 
 def test_states_say_so_too(here, capsys):

@@ -337,7 +337,7 @@ def _rendered(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:
         ]
     if any(not each.picture.is_smooth for move in moves for shape in move.shapes for each in shape.pictures):
         notes.append("Lottie smooths pictures; image-rendering is left out")
-    return Rendered([text], [*notes, *left_out(pairs, "Lottie", has_masks=True)])
+    return Rendered([text], [*notes, *left_out(pairs, "Lottie", clips="simple")])
 
 
 def render_archive(spec: OutputSpec, pairs: Sequence[Pair]) -> Rendered:

@@ -7,7 +7,7 @@ SMIL take a line of script in an attribute, and events of other elements that no
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 from xml.etree.ElementTree import Element, SubElement
@@ -19,7 +19,7 @@ from shapeblend_cli.svg.writing import document
 from shapeblend_cli.svg.writing.animation import COLOURS, DISCRETE, Timeline, Values, Views, attribute_values
 from shapeblend_cli.svg.writing.css import declaration
 from shapeblend_cli.svg.writing.ids import Ids
-from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, visible_styles
+from shapeblend_cli.svg.writing.paint import STROKE_LENGTHS, Gradients, Regions, add_region, visible_styles
 from shapeblend_cli.svg.writing.path_data import short_path_data
 from shapeblend_cli.svg.writing.rounding import number
 from shapeblend_cli.svg.writing.smil import add_animated
@@ -239,10 +239,10 @@ def reacting_css(reaction: Reaction, timing: Timing, ease: Easing, decimals: int
         document.put(drawing, _role(trigger, reaction.page.called))
     tree = document.Tree.of(drawing, reaction.shapes)
     active = [f".{name}:has(:checked)"] if is_click else [f".{name}:hover", f".{name}:focus-visible"]
-    rules = []
-    for k, shape in enumerate(reaction.shapes):
-        own = f"{name}-{k}"
-        values = attribute_values(shape, decimals)
+    rules: list[str] = []
+
+    def move(own: str, shape: KeyframedShape, values: Mapping[str, Values]) -> dict[str, str]:
+        """Add the rules by which a path of a class moves, and return its attributes at rest."""
         start = {attribute: value.keys[0] for attribute, value in values.items()}
         changing = [attribute for attribute, value in values.items() if not value.is_constant]
         if changing:
@@ -254,12 +254,25 @@ def reacting_css(reaction: Reaction, timing: Timing, ease: Easing, decimals: int
             moved = [declaration(attribute, values[attribute].keys[-1]) for attribute in changing]
             rules.append(f".{own}{{{';'.join([*at_rest, back])}}}")
             rules.append(f"{','.join(f'{one} .{own}' for one in active)}{{{';'.join([*moved, there])}}}")
-        tree.add(document.new("path", {"class": own, **start}), shape.groups, shape.name)
+        return {"class": own, **start}
+
+    def add_clip(element: Element, clip: Sequence[KeyframedShape]) -> None:
+        for k, shape in enumerate(clip):
+            outline = {"d": attribute_values(shape, decimals)["d"]}
+            add_region(
+                element, move(f"{element.get('id')}-{k}", shape, outline), shape.keys[0].style.fill_rule
+            )
+
+    regions = Regions(tree.ids, add_clip, f"{name}-clip")
+    for k, shape in enumerate(reaction.shapes):
+        start = move(f"{name}-{k}", shape, attribute_values(shape, decimals))
+        path = document.new("path", {**start, **regions.attributes(shape.clips)})
+        tree.add(path, shape.groups, shape.name)
     if is_click:
         drawing.append(_check_box(reaction, decimals))
         rules.append(f".{name}:has(:focus-visible){{outline:2px solid}}")
     rules.append(f"@media (prefers-reduced-motion:reduce){{[class^={name}]{{transition:none!important}}}}")
-    return document.text(drawing, style="\n".join(["", *rules, ""]))
+    return document.text(drawing, style="\n".join(["", *rules, ""]), definitions=regions.elements)
 
 
 def _check_box(reaction: Reaction, decimals: int) -> Element:
