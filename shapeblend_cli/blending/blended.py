@@ -15,10 +15,11 @@ from shapeblend_cli.blending.parts.alone import carried_by_lines
 from shapeblend_cli.blending.parts.paced import with_parts_paced
 from shapeblend_cli.blending.plates.gaps import with_gaps_closed
 from shapeblend_cli.blending.plates.inlays import plates_of, with_inlays, without_inlays
-from shapeblend_cli.blending.plates.inverted import is_plain, with_signs_inverted
+from shapeblend_cli.blending.plates.plain import is_plain
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
+from shapeblend_cli.blending.swaps.filled import filled
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
@@ -141,33 +142,34 @@ def blend_shapes(
 
     shapes = turned_as_a_whole(a, b, view, usual, straight)
     # Who says that drawings stay where they lie wants to see them go from one place to the other.
-    may_swap = may_swap and settings.place != "asis" and not all(map(has_letters, (a, b)))
-    return _finished(asked, shapes, may_swap=may_swap)
+    may_fill = settings.swap == "auto" and settings.place != "asis" and not all(map(has_letters, (a, b)))
+    return _finished(asked, shapes, may_swap=may_swap and may_fill, may_fill=may_fill)
 
 
-def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool) -> Shapes:
+def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool, may_fill: bool) -> Shapes:
     """Return the usual blend of two drawings, or what looks better: a special one, a swap, or one without crossings."""
     settings, view = asked.settings, asked.view
     a, b = with_outlines(*asked.drawn)
-    are_plain = is_plain(a) and is_plain(b)
-    if are_plain:
-        shapes = with_signs_inverted(a, b, settings, view, usual)
-        shapes = with_gaps_closed(a, b, settings, view, shapes)
-        shapes = with_slots_closed(a, b, view, shapes)
-        shapes = with_brushes(a, b, settings, view, shapes)
+    if are_plain := is_plain(a) and is_plain(b):
+        special = with_gaps_closed(a, b, settings, view, usual)
+        special = with_slots_closed(a, b, view, special)
+        special = with_brushes(a, b, settings, view, special)
+        if special is not usual:
+            return _exchanged(asked, special) if may_swap else special
+        shapes = usual
     else:
         from shapeblend_cli.blending.parts.faded import with_details_faded  # icons mostly have one colour
 
         shapes = with_details_faded(usual, view.larger_side)
     if may_swap:
         shapes = _exchanged(asked, shapes)
-    if not are_plain or shapes is not usual:
-        return shapes
-    pair = partial(_paired, a, b, settings, asked.progress)
-    shapes = with_crossings_undone(usual, pair, partial(_blended_and_paced, view=view), view)
-    # Without crossings, too, it may be beyond hope.
-    is_new = may_swap and shapes is not usual
-    return _exchanged(asked, shapes) if is_new else shapes
+    if are_plain and shapes is usual:
+        pair = partial(_paired, a, b, settings, asked.progress)
+        shapes = with_crossings_undone(usual, pair, partial(_blended_and_paced, view=view), view)
+        # Without crossings, too, it may be beyond hope.
+        if may_swap and shapes is not usual:
+            shapes = _exchanged(asked, shapes)
+    return filled(asked.a, asked.b, shapes, view, curves=settings.curves) if may_fill else shapes
 
 
 def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:

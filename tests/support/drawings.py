@@ -34,6 +34,11 @@ def drawing(*paths, file="a.svg", **options):
     return read(file, svg(*paths, **options).encode())
 
 
+def filled(path):
+    """What a document of one path by the even-odd rule paints."""
+    return drawing(path, attributes=EVENODD)
+
+
 def contours_of(*paths, vertices=200, **options):
     """The contours of such a document, flattened and with their roles."""
     from shapeblend_cli.anatomy.decompose import decompose

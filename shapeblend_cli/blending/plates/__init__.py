@@ -1,1 +1,1 @@
-"""Solid plates with signs: cut out of them, inverted with them, or opening in them."""
+"""Solid plates with signs: cut out of them, or opening in them."""

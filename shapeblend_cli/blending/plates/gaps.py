@@ -12,12 +12,15 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.blending.graded import faults_of
-from shapeblend_cli.blending.plates.inverted import NEAR, distance_between, growing, is_blend_of
+from shapeblend_cli.blending.plates.plain import is_blend_of
 from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.motion.early import Early, Edge
+from shapeblend_cli.pairing.growth import MatchedPoints, growth_point_inside
 from shapeblend_cli.wires.constraints import Constraints
+from shapeblend_cli.wires.contour_blends import grow_from_point
 from shapeblend_cli.wires.match import match_contours
 
 if TYPE_CHECKING:
@@ -29,6 +32,9 @@ if TYPE_CHECKING:
 
 SHIPS = 1.25
 """Minimum sum of the faults of the usual blend for gaps to close in a ring without a handle."""
+
+NEAR = 0.04
+"""Maximum mean distance of contours in one place, as a share of the drawing's size."""
 
 LEAST_FILLED = 0.3
 """Minimum share of a hole that its island fills."""
@@ -76,7 +82,7 @@ def with_gaps_closed(
         if any(_is_same(gap.hole, hole) for hole in solid[1:]):
             return usual
         drawn: list[ShapeBlend] = []
-        if distance_between(gap.exterior, solid[0], NEAR * view.larger_side) is None:
+        if not _are_in_place(gap.exterior, solid[0], NEAR * view.larger_side):
             from shapeblend_cli.blending.plates.handles import ring_and_handles  # few drawings have gaps
 
             edge, drawn = ring_and_handles(own, settings, view, here)
@@ -132,6 +138,15 @@ def _holds(outer: PlacedContour, inner: PlacedContour) -> bool:
     return bool(winding_numbers(inner.polygon.vertices, outer.polygon.vertices).all())
 
 
+def _are_in_place(p: PlacedContour, q: PlacedContour, most: float) -> bool:
+    """Return whether the mean distance of two contours is small enough for them to be in one place."""
+    if max(abs(x - y) for x, y in zip(p.box.bounds, q.box.bounds, strict=True)) > 2.0 * most:
+        return False
+    lines = p.polygon.line, q.polygon.line
+    apart = max(float(nearest_places(one, other)[0].mean()) for one, other in (lines, lines[::-1]))
+    return apart <= min(most, 0.2 * p.box.larger_side)
+
+
 def _is_same(gap: PlacedContour, hole: PlacedContour) -> bool:
     """Return whether two holes are one, of about the same area and in about the same place."""
     areas = sorted((gap.area, hole.area))
@@ -153,7 +168,11 @@ def _closing(
     edges = [matched(edge, seat) for edge in (gap.hole, gap.island)]
     edges = [edge._replace(a=None) if here else edge._replace(b=None) for edge in edges]
     first, last = (whole, gap.exterior) if here else (gap.exterior, whole)
-    opening = [growing(hole, [(first, last, outline)], 1 - here) for hole in holes]
+    around = MatchedPoints(*outline.dot_points()[:: 1 if here else -1])
+    opening = [
+        grow_from_point(hole, growth_point_inside(hole.polygon.vertices, around), of_b=not here)
+        for hole in holes
+    ]
     on_seat = edges[0].path(1 - here).segments
     on_island = gap.island.centre + gap.island.box.larger_side / seat.box.larger_side * (
         on_seat - seat.centre

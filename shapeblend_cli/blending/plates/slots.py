@@ -9,7 +9,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import HOLE, SLENDER
-from shapeblend_cli.blending.plates.inverted import is_blend_of
+from shapeblend_cli.blending.plates.plain import is_blend_of
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:

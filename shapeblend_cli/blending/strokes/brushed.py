@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy.decompose import HOLE
 from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
-from shapeblend_cli.blending.plates.inverted import is_blend_of
+from shapeblend_cli.blending.plates.plain import is_blend_of
 from shapeblend_cli.model import ShapeBlend
 from shapeblend_cli.pens.drawings import with_region_on_left
 from shapeblend_cli.pens.line import UNITS, length
@@ -63,7 +63,7 @@ DRAWN_BACK, DRAWN_ON = "a brush stroke that is drawn back", "a brush stroke that
 def with_brushes(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, view: Box, usual: Shapes) -> Shapes:
     """Return the blend in which brush strokes become each other, if drawings are such and that looks better.
 
-    The drawings are plain, see `plates.inverted.is_plain`.
+    The drawings are plain, see `plates.plain.is_plain`.
     """
     scale = UNITS / view.larger_side
     if settings.strokes != "auto" or not wants_lines(settings):

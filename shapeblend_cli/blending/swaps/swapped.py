@@ -42,11 +42,17 @@ COMING = COMES + (1.0 - COMES) * STEPS
 SWAPPED = "the drawings have too little in common, so one takes the other's place"
 RESHAPED = "the drawings change over half way, where their silhouettes meet"
 ASKED = "one drawing takes the other's place, as asked"
+FILLED = "one drawing is the other one filled, so a level moves in it"
 
 
 def is_swapped(shapes: Sequence[ShapeBlend]) -> bool:
     """Return whether a drawing takes the place of the other one."""
     return bool(shapes) and all(shape.reason in (ASKED, RESHAPED, SWAPPED) for shape in shapes)
+
+
+def is_filled(shapes: Sequence[ShapeBlend]) -> bool:
+    """Return whether a level moves between a drawing and the same one filled."""
+    return bool(shapes) and all(shape.reason == FILLED for shape in shapes)
 
 
 def is_reshaped(shapes: Sequence[ShapeBlend]) -> bool:

@@ -190,7 +190,7 @@ def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[Pen
 
 def is_flawed(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings of several colours is likely to be sent back: trees tell these apart best."""
-    return is_coloured(shapes) and _is_faulty(shapes, view) and grade_of_shapes(shapes, view) >= FLAWED
+    return is_coloured(shapes) and is_faulty(shapes, view) and grade_of_shapes(shapes, view) >= FLAWED
 
 
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
@@ -198,7 +198,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
 
     That is told by its grade, by how much the largest outline is bent, and by how much the drawings have in common.
     """
-    if not _is_faulty(shapes, view):
+    if not is_faulty(shapes, view):
         return False
     first, last = ink_of(shapes, view)
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
@@ -207,7 +207,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
 
-def _is_faulty(shapes: Shapes, view: Box) -> bool:
+def is_faulty(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend has faults, and may be replaced.
 
     A single outline always becomes the other one, a copy that turns as a whole is seen to be the same, and so is a

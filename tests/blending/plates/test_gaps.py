@@ -9,8 +9,8 @@ from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.model import Box, control_box
 from shapeblend_cli.pens.moves import DRAWN_BACK, DRAWN_ON
-from tests.blending.plates.test_inverted import filled
 from tests.pens.test_line_blends import blend
+from tests.support.drawings import filled
 
 PLATE = "M1 1H23V23H1Z"
 HOLE, ISLAND = "M12 3A9 9 0 1 1 12 21A9 9 0 1 1 12 3Z", "M12 6A6 6 0 1 0 12 18A6 6 0 1 0 12 6Z"

@@ -6,8 +6,8 @@ from shapeblend_cli.blending.plates.slots import CLOSED
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.model import Box
-from tests.blending.plates.test_inverted import filled
 from tests.pens.test_line_blends import blend
+from tests.support.drawings import filled
 
 VIEW = Box(0.0, 0.0, 24.0, 24.0)
 PLATE = "M1 1H23V23H1Z"

@@ -1,0 +1,149 @@
+"""A drawing and the same one filled, as icons that are selected: a level rises in their common silhouette.
+
+Below the level the one with more ink is seen, and above it the other one. So what is black on white in an outline and
+white on black in its fill, such as a check mark in a shield, changes along the level, and nothing else moves.
+
+Not in the paper, whose shapes have no insides.
+"""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.blending.parts.paced import is_coloured
+from shapeblend_cli.blending.swaps.swapped import FILLED, is_swapped
+from shapeblend_cli.blending.swaps.unlike import ink_of, is_faulty
+from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.model import Box, ClipBlend, ShapeBlend, Style
+from shapeblend_cli.wires.contour_blends import keep_still, vertex_by_vertex
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from shapeblend_cli.anatomy.decompose import PlacedDrawing
+    from shapeblend_cli.model import BoolArray, FloatArray, PictureArray, Shapes
+
+AWAY = 0.02
+"""Maximum distance between the sides of the boxes around both drawings, as a share of the view's larger side."""
+
+ALIKE = 0.75
+"""Minimum area that is common to both silhouettes, as a share of that of both together."""
+
+WITHIN = 0.95
+"""Minimum ink of the fuller drawing within the silhouette of the other one, as a share of its ink."""
+
+MORE = 0.12
+"""Minimum area that is painted in one drawing more than in the other one, as a share of the silhouettes'."""
+
+INSIDE = 0.05
+"""Maximum ink of the drawing with less that lies outside that of the other one for it to be seen below the level, as a
+share of its ink."""
+
+SEEN = 0.05
+"""Minimum difference of two pixels that can be seen, in opacity."""
+
+OVERLAP = 0.01
+"""Height in which both drawings are seen, as a share of the view's larger side: a gap would shine through."""
+
+OVERLAP_INSIDE = 0.04
+"""The same where all ink of the one lies within that of the other."""
+
+
+def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curves: bool) -> Shapes:
+    """Return the usual blend of two drawings, or if it looks bad one in which they stay, and a level moves.
+
+    That is so if both have one colour, one of them lies within the silhouette of the other and has much more ink, and
+    nothing is clipped, filtered or a picture.
+    """
+    sides = a, b
+    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in sides]
+    away = np.abs(np.subtract(boxes[0].bounds, boxes[1].bounds)).max()
+    if away > AWAY * view.larger_side or is_coloured(usual):
+        return usual
+    if any(
+        shape.clips or shape.effects or shape.has_pictures for side in sides for shape in side.drawing.shapes
+    ):
+        return usual
+    if not (is_swapped(usual) or is_faulty(usual, view)):
+        return usual
+    inks = ink_of(usual, view)
+    fuller = int(inks[1].sum() > inks[0].sum())
+    sparse, full = inks[1 - fuller], inks[fuller]
+    if not _is_filled(sparse, full):
+        return usual
+    above, below = _regions(sparse, full, Box.union([*boxes, view]), view, rises=bool(fuller))
+    return (
+        *_still(sides[1 - fuller], 1 - fuller, above, curves=curves),
+        *_still(sides[fuller], fuller, below, curves=curves),
+    )
+
+
+def _regions(
+    sparse: PictureArray, full: PictureArray, around: Box, view: Box, *, rises: bool
+) -> tuple[ClipBlend, ClipBlend]:
+    """Return the regions above and below the level, which moves as far as two pictures differ, as wide as a box.
+
+    The pictures are of the drawing with less ink, and of that with more, in the middle of a view.
+    """
+    is_inside = np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
+    overlap = (OVERLAP_INSIDE if is_inside else OVERLAP) * view.larger_side
+    step = view.larger_side / len(full)
+    rows = np.flatnonzero((np.abs(full - sparse) > SEEN).any(axis=1))
+    corner = view.centre.imag - 0.5 * view.larger_side
+    levels = corner + step * np.array([rows[-1] + 1, rows[0]])[:: 1 if rises else -1]
+    left, top, right, bottom = around.expanded(overlap).bounds
+
+    def region(tops: FloatArray, bottoms: FloatArray) -> ClipBlend:
+        start, end = (
+            np.array([complex(left, high), complex(right, high), complex(right, low), complex(left, low)])
+            for high, low in zip(tops, bottoms, strict=True)
+        )
+        contour = vertex_by_vertex((0, 0), start, end, (view.larger_side,) * 2)
+        return ClipBlend((ShapeBlend((contour,), Style(), Style()),))
+
+    return region(np.full(2, top), levels + overlap), region(levels, np.full(2, bottom))
+
+
+def _is_filled(sparse: PictureArray, full: PictureArray) -> bool:
+    """Return whether the second of two pictures is the first one filled."""
+    outer, inner = _silhouette(sparse), _silhouette(full)
+    area = float((outer | inner).sum())
+    if (outer & inner).sum() < ALIKE * area or full.sum() - sparse.sum() < MORE * area:
+        return False
+    return bool(full[outer].sum() >= WITHIN * full.sum())
+
+
+def _silhouette(ink: PictureArray) -> BoolArray:
+    """Return the pixels with ink, and those around which there is ink."""
+    free = np.pad(ink <= 0.5, 1, constant_values=True)
+    outside = np.zeros_like(free)
+    outside[0] = True
+    while True:
+        wide = outside.copy()
+        wide[1:] |= outside[:-1]
+        wide[:-1] |= outside[1:]
+        wide[:, 1:] |= outside[:, :-1]
+        wide[:, :-1] |= outside[:, 1:]
+        wide &= free
+        if (wide == outside).all():
+            return ~outside[1:-1, 1:-1]
+        outside = wide
+
+
+def _still(side: PlacedDrawing, here: int, clip: ClipBlend, *, curves: bool) -> Iterator[ShapeBlend]:
+    """Yield the shapes of a drawing, 0 or 1, as they are, clipped."""
+    for number, members in groupby(side.contours, key=lambda contour: contour.shape):
+        of_shape = list(members)
+        blends = [keep_still(c, (None, c.number) if here else (c.number, None)) for c in of_shape]
+        style = of_shape[0].style
+        yield ShapeBlend(
+            tuple(map(with_curves, blends) if curves else blends),
+            style,
+            style,
+            reason=FILLED,
+            sources=(None, number) if here else (number, None),
+            clips=(clip,),
+        )

@@ -1,0 +1,91 @@
+"""A drawing that becomes the same one filled: a level moves, and both stay as they are."""
+
+import pytest
+
+import shapeblend_cli as sb
+from shapeblend_cli.blending.graded import FILLED_GRADE, grade_of
+from shapeblend_cli.blending.swaps.filled import OVERLAP
+from shapeblend_cli.blending.swaps.swapped import is_filled
+from shapeblend_cli.frames.frames import shapes_at
+from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import control_box
+from tests.support.drawings import EVENODD, svg
+
+SHIELD = "M12 2L20 5V11C20 16 17 20 12 22C7 20 4 16 4 11V5Z"
+CHECK = "M8 11L11 14L16.5 8.5L17.9 9.9L11 16.8L6.6 12.4Z"
+INSIDE = "M12 4.1L18 6.4V11C18 15 16 18 12 19.8C8 18 6 15 6 11V6.4Z"
+OUTLINE, FILL = f"{SHIELD}{INSIDE}{CHECK}", f"{SHIELD}{CHECK}"
+BOX = "M2 2H22V22H2Z"
+TIMES = (0.1, 0.3, 0.5, 0.8)
+
+
+def blended(tmp_path, a, b, **settings):
+    files = tmp_path / "a.svg", tmp_path / "b.svg"
+    for file, d in zip(files, (a, b), strict=True):
+        file.write_text(d if d.startswith("<") else svg(d, attributes=EVENODD))
+    (pair,) = sb.blend(*files, **settings).pairs
+    return pair
+
+
+def region(shape, t):
+    ((clip,),) = (clip.shapes for clip in shape.clips)
+    return control_box(paths_at(clip, t))
+
+
+def test_a_level_rises_from_the_foot_of_what_changes_to_its_top(tmp_path):
+    above, below = blended(tmp_path, OUTLINE, FILL).shapes
+    assert is_filled((above, below))
+    assert (above.sources, below.sources) == ((0, None), (None, 0))
+    levels = [region(below, t).y for t in (0.0, *TIMES, 1.0)]
+    assert levels == sorted(levels, reverse=True)
+    assert levels[0] == pytest.approx(19.8, abs=0.3)
+    assert levels[-1] == pytest.approx(4.1, abs=0.3)
+
+
+def test_nothing_else_moves_and_no_gap_opens(tmp_path):
+    pair = blended(tmp_path, OUTLINE, FILL)
+    for t in TIMES:
+        for shape, (drawn,) in zip(shapes_at(pair, t), pair.drawn, strict=True):
+            assert control_box(shape.paths).bounds == pytest.approx(control_box(drawn.paths).bounds)
+        above, below = (region(shape, t) for shape in pair.shapes)
+        assert above.y + above.height == pytest.approx(below.y + OVERLAP * 24.0)
+        assert above.y <= 0.0
+        assert below.y + below.height >= 24.0
+
+
+def test_the_way_back_is_the_same(tmp_path):
+    forth, back = blended(tmp_path, OUTLINE, FILL), blended(tmp_path, FILL, OUTLINE)
+    for t in TIMES:
+        for one, other in zip(forth.shapes, back.shapes, strict=True):
+            assert region(one, t).bounds == pytest.approx(region(other, 1.0 - t).bounds)
+
+
+def test_what_is_filled_may_have_a_gap_where_a_line_is(tmp_path):
+    card = "M2 5H22V19H2Z M4 7H20V9H4Z M4 11H20V17H4Z M6 13H10V15H6Z"
+    assert is_filled(blended(tmp_path, card, "M2 5H22V9H2Z M2 11H22V19H2Z M6 13H10V15H6Z").shapes)
+
+
+def test_it_has_a_grade_of_its_own(tmp_path):
+    assert grade_of(blended(tmp_path, OUTLINE, FILL)).number == FILLED_GRADE
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        (f"{SHIELD}{INSIDE}", SHIELD),  # the hole closes, which looks well
+        (OUTLINE, f"{BOX}{CHECK}"),
+        (FILL, f"{SHIELD}M7 10.5H17V12.5H7Z"),  # both are filled
+        (
+            OUTLINE,
+            f"M12 3L19 5.6V11C19 15.5 16.5 19 12 20.8C7.5 19 5 15.5 5 11V5.6Z{CHECK}",
+        ),  # smaller all around
+        (OUTLINE, svg(f'<path d="{FILL}" fill="#e33" {EVENODD}/>')),
+    ],
+)
+def test_other_drawings_are_blended_as_usual(tmp_path, a, b):
+    assert not is_filled(blended(tmp_path, a, b).shapes)
+
+
+@pytest.mark.parametrize("settings", [{"swap": "never"}, {"place": "asis"}, {"motion": "linear"}])
+def test_so_are_those_for_which_it_is_asked(tmp_path, settings):
+    assert not is_filled(blended(tmp_path, OUTLINE, FILL, **settings).shapes)
