@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.anatomy.letters import has_letters
-from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of, in_full_width
 from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
@@ -24,7 +24,6 @@ from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
     are_too_unlike,
-    in_full_width,
     ink_of,
     is_flawed,
     is_hopeless,
@@ -234,7 +233,7 @@ def _by_lines_or_outlines(
         return together(by_size=True)
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
-    faults = faults_of(tuple(map(in_full_width, plain)), view)
+    faults = faults_of(in_full_width(plain), view)
     outlines = _by_outlines(asked)
     other = faults_of(paced(outlines, by_size=False), view)
     if other < faults - (LESS if faults >= FAILS and other < SHIPS else MARGIN):

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.grading.grade import Grade
     from shapeblend_cli.grading.seen import Seen
-    from shapeblend_cli.model import PictureArray, ShapeBlend
+    from shapeblend_cli.model import PictureArray, ShapeBlend, Shapes
 
 STEPS = 6
 """Number of steps between the pictures that are graded."""
@@ -78,6 +78,25 @@ class _Same:
 def seen_of(shapes: Sequence[ShapeBlend], view: Box) -> Seen:
     """Return what is seen of some shapes alone in a view."""
     return _seen(_Same(tuple(shapes)), view)
+
+
+def in_full_width(shapes: Sequence[ShapeBlend]) -> Shapes:
+    """Return shapes whose lines neither thicken as they come nor thin as they go: the judge takes these for spikes.
+
+    They are the very same ones when asked for again, so that they are not graded again.
+    """
+    return _in_full_width(_Same(tuple(shapes)))
+
+
+@lru_cache(maxsize=4)
+def _in_full_width(same: _Same) -> Shapes:
+    found = []
+    for shape in same.shapes:
+        if bool(shape.style_a.stroke_width) != bool(shape.style_b.stroke_width):
+            whole = shape.style_a if shape.style_a.stroke_width else shape.style_b
+            shape = shape._replace(style_a=whole, style_b=whole)
+        found.append(shape)
+    return tuple(found)
 
 
 @lru_cache(maxsize=4)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import faults_of, grade_of_shapes, seen_of
+from shapeblend_cli.blending.graded import faults_of, grade_of_shapes, in_full_width, seen_of
 from shapeblend_cli.blending.parts.paced import is_coloured
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
@@ -174,13 +174,13 @@ def are_too_unlike(
     if not (solids and strokes):
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
-    faults = faults_of(tuple(map(in_full_width, shapes)), view)
+    faults = faults_of(in_full_width(shapes), view)
     return outlines > DETAILED * view.larger_side and faults >= SENT_BACK
 
 
 def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine], view: Box) -> bool:
     """Return whether trees grade a blend by lines too badly, the sooner the more of its ends come loose."""
-    if faults_of(tuple(map(in_full_width, shapes)), view) < FAULTY:
+    if faults_of(in_full_width(shapes), view) < FAULTY:
         return False
     grade, least = grade_of_shapes(shapes, view), _least_told(shapes, lines, others)
     if grade < least - PER_LOOSE_END * MOST_LOOSE:
@@ -263,14 +263,6 @@ def _main_bending(shapes: Shapes) -> float:
         return WHOLLY
     shape, largest = max(matched, key=lambda each: sum(_areas(each[1])))
     return 0.0 if shape.motion_name in TURNING else min(_bending(largest, 0.0), WHOLLY)
-
-
-def in_full_width(shape: ShapeBlend) -> ShapeBlend:
-    """Return a line that does not thicken as it comes, nor thin as it goes: the judge takes it for a spike."""
-    if bool(shape.style_a.stroke_width) == bool(shape.style_b.stroke_width):
-        return shape
-    whole = shape.style_a if shape.style_a.stroke_width else shape.style_b
-    return shape._replace(style_a=whole, style_b=whole)
 
 
 def _is_covered(lines: Sequence[PenLine], others: Sequence[PenLine]) -> bool:
