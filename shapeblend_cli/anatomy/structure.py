@@ -8,7 +8,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, points_at, thin
+from shapeblend_cli.geometry.polyline import cumulative_lengths, points_at, thin
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -83,9 +83,8 @@ def corners(polygons: Sequence[Polygon]) -> tuple[ComplexArray, ComplexArray]:
 
 def along(polygon: Polygon, count: int) -> ComplexArray:
     """Return points evenly spread along a polygon, (count,) complex; of an open polygon without its ends."""
-    points = from_end_to_end(polygon.vertices, polygon.closed)
-    lengths = cumulative_lengths(points)
-    return points_at((np.arange(count) + 0.5) / count * lengths[-1], points, lengths)
+    lengths = cumulative_lengths(polygon.line)
+    return points_at((np.arange(count) + 0.5) / count * lengths[-1], polygon.line, lengths)
 
 
 def _coincident(

@@ -11,7 +11,7 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flatten import edge_parts
 from shapeblend_cli.geometry.polygons import reverse_contour, reverse_polygon
-from shapeblend_cli.geometry.polyline import cumulative_lengths, from_end_to_end, nearest_places
+from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places
 from shapeblend_cli.model import Polygon
 from shapeblend_cli.model.arrays import median
 
@@ -29,10 +29,10 @@ class FlatContour:
     contour: Contour
     polygon: Polygon
 
-    @cached_property
+    @property
     def line(self) -> ComplexArray:
-        """The vertices, of a closed contour with the first one repeated at the end."""
-        return from_end_to_end(self.polygon.vertices, self.polygon.closed)
+        """The vertices of its polygon from end to end."""
+        return self.polygon.line
 
     @cached_property
     def lengths(self) -> FloatArray:

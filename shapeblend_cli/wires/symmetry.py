@@ -18,7 +18,6 @@ import numpy as np
 
 from shapeblend_cli.geometry.polyline import (
     cumulative_lengths,
-    from_end_to_end,
     interpolated,
     nearest_numbers,
     points_at,
@@ -189,7 +188,7 @@ def common_axes(a: Polygon, b: Polygon) -> list[tuple[Axis, Axis]]:
 def _axes(polygon: Polygon) -> Iterator[Axis]:
     """Yield the axes of a polygon; the axes of an open polygon take each half to the other."""
     closed, tolerance = polygon.closed, TOLERANCE * polygon.box.larger_side
-    outline = from_end_to_end(polygon.vertices, closed)
+    outline = polygon.line
     lengths = cumulative_lengths(outline)
     places = lengths / lengths[-1]
     even = np.arange(SAMPLES) / SAMPLES if closed else np.linspace(0.0, 1.0, SAMPLES)
