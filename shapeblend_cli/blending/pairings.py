@@ -14,9 +14,10 @@ import numpy as np
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.matched import pair_drawings
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.model import Box
 from shapeblend_cli.paint.oklab import difference, lightness
-from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates, assign
+from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates
 from shapeblend_cli.pairing.riders import riders
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ import numpy as np
 
 from shapeblend_cli.brushes.motion import Alone, Becoming, Brushes, Offsets, Rest, is_dot
 from shapeblend_cli.brushes.sides import tangents
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Style
 from shapeblend_cli.motion.pen import between
-from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pens.line import PenLine, at, corners, each_once, length, lengths_along
 from shapeblend_cli.pens.line_costs import alone_cost, opening_cost
 from shapeblend_cli.pens.moves import matched_corners

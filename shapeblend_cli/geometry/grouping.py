@@ -1,4 +1,4 @@
-"""Groups of things of which some are together."""
+"""Groups of things of which some are together, and pairs at the least cost."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from shapeblend_cli.model import BoolArray, Box
+    from shapeblend_cli.model import BoolArray, Box, FloatArray
 
 
 class Groups:
@@ -48,3 +48,15 @@ def overlaps(boxes: Sequence[Box]) -> BoolArray:
     left, top, right, bottom = np.array([box.bounds for box in boxes]).T[:, :, None]
     found: BoolArray = (left < right.T) & (left.T < right) & (top < bottom.T) & (top.T < bottom)
     return found
+
+
+def assign(costs: FloatArray) -> list[tuple[int, int]]:
+    """Pair rows with columns at the least total of finite costs, as many as there are of the fewer; by row."""
+    if min(costs.shape) == 0:
+        return []
+    if 1 in costs.shape:
+        return [divmod(int(costs.argmin()), costs.shape[1])]
+    import lap  # drawings with one exterior do without it
+
+    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
+    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]

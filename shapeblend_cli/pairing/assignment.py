@@ -8,6 +8,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
 from shapeblend_cli.anatomy.twins import anatomy_of
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.pairing.costs import (
     CROWD,
     USUAL,
@@ -15,7 +16,6 @@ from shapeblend_cli.pairing.costs import (
     Described,
     Rates,
     Works,
-    assign,
     laid,
     overlaps,
     paint_costs,

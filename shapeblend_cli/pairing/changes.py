@@ -17,10 +17,11 @@ from shapeblend_cli.anatomy.decompose import LINE
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.polygons import centroid, reverse_contour
 from shapeblend_cli.geometry.polyline import distances_to
 from shapeblend_cli.model import Box, Contour
-from shapeblend_cli.pairing.costs import assign, channels
+from shapeblend_cli.pairing.costs import channels
 from shapeblend_cli.wires.contour_blends import grow_from, keep_still
 from shapeblend_cli.wires.stretches import TOLERANCE, mostly_shared, shared_stretches
 

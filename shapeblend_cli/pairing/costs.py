@@ -297,15 +297,3 @@ def values_of(excess: FloatArray, focus: FloatArray) -> FloatArray:
     Gains are squared, so that one good pair is worth more than two poor ones.
     """
     return -(np.where(excess < 0.0, focus - excess, 0.0) ** 2)
-
-
-def assign(costs: FloatArray) -> list[tuple[int, int]]:
-    """Pair rows with columns at the least total of finite costs, as many as there are of the fewer; by row."""
-    if min(costs.shape) == 0:
-        return []
-    if 1 in costs.shape:
-        return [divmod(int(costs.argmin()), costs.shape[1])]
-    import lap  # drawings with one exterior do without it
-
-    _, columns, _ = lap.lapjv(np.ascontiguousarray(costs), extend_cost=True)
-    return [(i, int(j)) for i, j in enumerate(columns) if j >= 0]

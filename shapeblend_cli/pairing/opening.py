@@ -11,9 +11,9 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR, PlacedContour, holes_by_e
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.cutting import run_of_segments
 from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.placement import to_unit_box
 from shapeblend_cli.model import Contour
-from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.wires.rough import rough_work
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.polygons import winding_numbers
-from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.constraints import Constraints, has_numbers
 

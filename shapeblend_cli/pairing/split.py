@@ -12,10 +12,10 @@ from shapeblend_cli.anatomy.rows import Row, rows_of
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.cutting import left_of, lie_inside, meet, run_of_segments, with_vertices
 from shapeblend_cli.geometry.flatten import flatten
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.polygons import signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import are_near, nearest_places, thin
 from shapeblend_cli.model import Box, Contour, Polygon
-from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.growth import WATCHED
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from shapeblend_cli.geometry.crossings import line_crossings
-from shapeblend_cli.pairing.costs import assign
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, part_of
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
 from shapeblend_cli.pens.moves import alike

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 
 import shapeblend_cli as sb
 from shapeblend_cli.errors import MatchError
+from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.options.settings import Settings
-from shapeblend_cli.pairing.costs import assign
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.match import solved_wires
 from tests.support.drawings import EIGHT, EVENODD, EYED, I_DOT, J_DOT, LEAF, RING, SQUARES, B, contours_of
