@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections import Counter
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges
-from shapeblend_cli.pens.line import PenLine, at, chains, foot_points, length
+from shapeblend_cli.pens.line import End, PenLine, at, chains, ends_near, foot_points, length
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -47,42 +47,30 @@ REACH = 0.4
 """Length at the end of a line that gives its direction, in units."""
 
 
-class _End(NamedTuple):
-    """An end of an open line: whose, which, where, and the direction out of it."""
-
-    line: int
-    side: int
-    place: complex
-    direction: complex
-
-
 def joined(lines: Sequence[PenLine]) -> list[PenLine]:
     """Join the ends of lines that go on from each other: the least turn first."""
     cut = [_cut_at_tips(line, lines) for line in lines]
     pieces = [piece for every in cut for piece in every]
     origin = [k for k, every in enumerate(cut) for _ in every]
     ends = [
-        _End(k, side, *_ending(line.points if side else line.points[::-1]))
+        End(k, side, *_ending(line.points if side else line.points[::-1]))
         for k, line in enumerate(pieces)
         if not line.closed and line.length > REACH and line.style.stroke_opacity == 1.0
         if not line.style.stroke_dasharray
         for side in (0, 1)
     ]
     turns = []
-    places = np.array([end.place for end in ends])
-    for i, a in enumerate(ends):
-        p = pieces[a.line]
-        near = np.flatnonzero(np.abs(places[i + 1 :] - a.place) <= TOUCHES * p.width) + i + 1
-        for j in near.tolist():
-            b = ends[j]
-            q = pieces[b.line]
-            if not _is_alike(p, q):
-                continue
-            turn = abs(float(np.angle(-b.direction / a.direction)))
-            if turn <= (MOST_TURN if _is_round(p) else GOES_ON):
-                turns.append((turn, i, j))
-            elif origin[a.line] == origin[b.line] and len(cut[origin[a.line]]) > 1:
-                turns.append((turn + np.pi, i, j))  # as they were, if nothing else goes on from there
+    reaches = [TOUCHES * pieces[end.piece].width for end in ends]
+    for i, j in ends_near(ends, reaches):
+        a, b = ends[i], ends[j]
+        p, q = pieces[a.piece], pieces[b.piece]
+        if not _is_alike(p, q):
+            continue
+        turn = abs(float(np.angle(-b.direction / a.direction)))
+        if turn <= (MOST_TURN if _is_round(p) else GOES_ON):
+            turns.append((turn, i, j))
+        elif origin[a.piece] == origin[b.piece] and len(cut[origin[a.piece]]) > 1:
+            turns.append((turn + np.pi, i, j))  # as they were, if nothing else goes on from there
     partner: dict[int, int] = {}
     for _, i, j in sorted(turns):
         if i not in partner and j not in partner:
@@ -127,9 +115,9 @@ def _cut_at_tips(line: PenLine, lines: Sequence[PenLine]) -> list[PenLine]:
     return [piece for piece in pieces if piece.length > TOUCHES * line.width]
 
 
-def _strung(pieces: Sequence[PenLine], ends: Sequence[_End], partner: dict[int, int]) -> list[PenLine]:
+def _strung(pieces: Sequence[PenLine], ends: Sequence[End], partner: dict[int, int]) -> list[PenLine]:
     """String joined pieces up to lines, each with the paint and number of its longest piece."""
-    joined = {(ends[i].line, ends[i].side): (ends[j].line, ends[j].side) for i, j in partner.items()}
+    joined = {(ends[i].piece, ends[i].side): (ends[j].piece, ends[j].side) for i, j in partner.items()}
     lines = []
     for chain, closed in chains(len(pieces), joined):
         longest = max((pieces[k] for k, _ in sorted(chain)), key=lambda each: each.length)

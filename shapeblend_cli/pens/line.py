@@ -14,7 +14,7 @@ from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_places,
 from shapeblend_cli.model import Box
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
     from shapeblend_cli.model import ComplexArray, FloatArray, Style
@@ -252,6 +252,23 @@ def _dashes_along(style: Style, line: PenLine, points: ComplexArray, scale: floa
     return style._replace(
         stroke_dasharray=turned, stroke_dashoffset=sum(dashes[:-1]) - style.stroke_dashoffset - begin
     )
+
+
+class End(NamedTuple):
+    """An end of a piece that may be joined to another one: whose, which, where, and the direction out of it."""
+
+    piece: int
+    side: int
+    place: complex
+    direction: complex
+
+
+def ends_near(ends: Sequence[End], reaches: Iterable[float]) -> Iterator[tuple[int, int]]:
+    """Yield the numbers of each two ends that are within the reach of the first of them."""
+    places = np.array([end.place for end in ends])
+    for i, (end, reach) in enumerate(zip(ends, reaches, strict=True)):
+        near = np.flatnonzero(np.abs(places[i + 1 :] - end.place) <= reach) + i + 1
+        yield from ((i, j) for j in near.tolist())
 
 
 def chains(count: int, joined: Mapping[_Side, _Side]) -> Iterator[tuple[list[_Side], bool]]:

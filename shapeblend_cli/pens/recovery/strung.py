@@ -6,12 +6,12 @@ other are joined, where lines cross, meet or turn a corner; and caps are found f
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.geometry.polyline import cumulative_lengths, nearest_edges, needed
-from shapeblend_cli.pens.line import UNITS, chains, evenly, length, part_of
+from shapeblend_cli.pens.line import UNITS, End, chains, ends_near, evenly, length, part_of
 from shapeblend_cli.pens.recovery.region import Stretch, distance_ahead
 
 if TYPE_CHECKING:
@@ -100,15 +100,6 @@ def _slopes(points: ComplexArray) -> ComplexArray:
     return np.concatenate([steps[:1], (points[2:] - points[:-2]) / 2.0, steps[-1:]])
 
 
-class _End(NamedTuple):
-    """An end of a stretch that has no cap: whose, which, where, and the direction out of it."""
-
-    stretch: int
-    side: int
-    place: complex
-    direction: complex
-
-
 def _direction(points: ComplexArray, width: float) -> complex:
     """Return the direction in which a polyline ends; one that curves goes on to turn."""
     along = cumulative_lengths(points)
@@ -124,20 +115,17 @@ def _direction(points: ComplexArray, width: float) -> complex:
 def _joined(stretches: Sequence[Stretch], region: Region) -> list[Stretch]:
     """Join stretches whose ends face each other, or meet at a corner: the least turn first."""
     ends = [
-        _End(k, side, complex(one.ending(side)[-1]), _direction(one.ending(side), one.width))
+        End(k, side, complex(one.ending(side)[-1]), _direction(one.ending(side), one.width))
         for k, one in enumerate(stretches)
         for side in (0, 1)
         if not one.closed and len(one.points) > 1 and one.ends[side] is None
     ]
     joints: list[tuple[float, int, int, list[complex]]] = []
-    places = np.array([end.place for end in ends])
     reach = REACH * max(one.width for one in stretches)
-    for i, a in enumerate(ends):
-        near = np.flatnonzero(np.abs(places[i + 1 :] - a.place) <= reach) + i + 1
-        for j in near.tolist():
-            joint = _joint(a, ends[j], stretches, region)
-            if joint is not None:
-                joints.append((joint[0], i, j, joint[1]))
+    for i, j in ends_near(ends, [reach] * len(ends)):
+        joint = _joint(ends[i], ends[j], stretches, region)
+        if joint is not None:
+            joints.append((joint[0], i, j, joint[1]))
     partner: dict[int, tuple[int, list[complex]]] = {}
     for _, i, j, between in sorted(joints, key=lambda joint: joint[0]):
         if i not in partner and j not in partner:
@@ -146,10 +134,10 @@ def _joined(stretches: Sequence[Stretch], region: Region) -> list[Stretch]:
 
 
 def _joint(
-    a: _End, b: _End, stretches: Sequence[Stretch], region: Region
+    a: End, b: End, stretches: Sequence[Stretch], region: Region
 ) -> tuple[float, list[complex]] | None:
     """Return what joining two ends costs, and the corner between them if there is one; None if they do not fit."""
-    p, q = stretches[a.stretch], stretches[b.stretch]
+    p, q = stretches[a.piece], stretches[b.piece]
     width, gap = max(p.width, q.width), abs(b.place - a.place)
     turn = abs(float(np.angle(-b.direction / a.direction)))
     if min(p.width, q.width) < 0.8 * width or gap > REACH * width or turn > np.radians(155.0):
@@ -180,7 +168,7 @@ def _joint(
     return cost, [corner] if over < OVER * width else _rounded(a, b, corner, over, near)
 
 
-def _rounded(a: _End, b: _End, corner: complex, over: float, near: float) -> list[complex]:
+def _rounded(a: End, b: End, corner: complex, over: float, near: float) -> list[complex]:
     """Return a curve in place of a corner that is too near to the outline: outside, it is rounder than the pen."""
     ways = -a.direction, -b.direction
     half = abs(float(np.angle(ways[1] / ways[0]))) / 2.0
@@ -192,10 +180,10 @@ def _rounded(a: _End, b: _End, corner: complex, over: float, near: float) -> lis
 
 
 def _strung(
-    stretches: Sequence[Stretch], ends: Sequence[_End], partner: dict[int, tuple[int, list[complex]]]
+    stretches: Sequence[Stretch], ends: Sequence[End], partner: dict[int, tuple[int, list[complex]]]
 ) -> list[Stretch]:
     """String joined stretches up to lines."""
-    sides = [(end.stretch, end.side) for end in ends]
+    sides = [(end.piece, end.side) for end in ends]
     joined = {sides[i]: sides[j] for i, (j, _) in partner.items()}
     corners = {sides[i]: np.array(between, complex) for i, (_, between) in partner.items()}
     lines = []
