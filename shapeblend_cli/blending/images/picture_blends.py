@@ -37,7 +37,7 @@ SIZES = 0.1
 """Cost of a pair of which one side is e times as long as the other."""
 
 
-class Pair(NamedTuple):
+class PicturePair(NamedTuple):
     """A picture of A and the picture of B that it becomes; None for a missing one."""
 
     a: PlacedContour | None
@@ -76,13 +76,13 @@ def _pairs(
     drawings: tuple[PlacedDrawing, PlacedDrawing],
     settings: Settings,
     view: Box,
-) -> tuple[list[Pair], Settings]:
+) -> tuple[list[PicturePair], Settings]:
     """Return which pictures become which, in the order of paint, and the settings for all else."""
     left = [list(side) for side in pictures]
     pairs = []
 
     def take(i: int, j: int, reason: str) -> None:
-        pairs.append(Pair(left[0].pop(i), left[1].pop(j), reason))
+        pairs.append(PicturePair(left[0].pop(i), left[1].pop(j), reason))
 
     wanted = []
     for match in settings.match:
@@ -101,13 +101,14 @@ def _pairs(
             )
         else:
             wanted.append(match)
-    for reason, alike in (("same id", _same_id), ("same label", _same_label)):
+    for reason, name in (("same id", _id), ("same label", _label)):
         i = 0
         while i < len(left[0]):
+            own = name(left[0][i], drawings[0])
             partners = [
                 j
                 for j, c in enumerate(left[1])
-                if alike(left[0][i], c, drawings) and _may_pair(left[0][i], c)
+                if own is not None and own == name(c, drawings[1]) and _may_pair(left[0][i], c)
             ]
             if partners:
                 take(i, partners[0], reason)
@@ -120,8 +121,8 @@ def _pairs(
             one, other = sides[0][place // costs.shape[1]], sides[1][place % costs.shape[1]]
             if one in left[0] and other in left[1] and _may_pair(one, other):
                 take(left[0].index(one), left[1].index(other), "nearest in place and size")
-    pairs += [Pair(c, None, "no picture is left in B") for c in left[0]]
-    pairs += [Pair(None, c, "no picture is left in A") for c in left[1]]
+    pairs += [PicturePair(c, None, "no picture is left in B") for c in left[0]]
+    pairs += [PicturePair(None, c, "no picture is left in A") for c in left[1]]
     order = sorted(pairs, key=lambda pair: max(c.shape for c in (pair.a, pair.b) if c is not None))
     return order, settings.replace(match=tuple(wanted)) if len(wanted) < len(settings.match) else settings
 
@@ -133,17 +134,15 @@ def _may_pair(a: PlacedContour, b: PlacedContour) -> bool:
 
 
 def _is_called(name: str, contour: PlacedContour, drawing: PlacedDrawing) -> bool:
-    return name == str(contour.number) or name.removeprefix("#") == drawing.drawing.shapes[contour.shape].id
+    return name == str(contour.number) or name.removeprefix("#") == _id(contour, drawing)
 
 
-def _same_id(a: PlacedContour, b: PlacedContour, drawings: tuple[PlacedDrawing, PlacedDrawing]) -> bool:
-    one, other = (side.drawing.shapes[c.shape].id for c, side in zip((a, b), drawings, strict=True))
-    return one is not None and one == other
+def _id(contour: PlacedContour, drawing: PlacedDrawing) -> str | None:
+    return drawing.drawing.shapes[contour.shape].id
 
 
-def _same_label(a: PlacedContour, b: PlacedContour, drawings: tuple[PlacedDrawing, PlacedDrawing]) -> bool:
-    one, other = (side.drawing.shapes[c.shape].name.label for c, side in zip((a, b), drawings, strict=True))
-    return one is not None and one == other
+def _label(contour: PlacedContour, drawing: PlacedDrawing) -> str | None:
+    return drawing.drawing.shapes[contour.shape].name.label
 
 
 def _costs(a: Sequence[PlacedContour], b: Sequence[PlacedContour], view: Box) -> np.ndarray:
@@ -162,7 +161,7 @@ def _picture(style: Style) -> Picture:
     return style.picture
 
 
-def _picture_blend(pair: Pair, settings: Settings) -> ShapeBlend:
+def _picture_blend(pair: PicturePair, settings: Settings) -> ShapeBlend:
     """Return a picture that becomes another one, or that fades."""
     contours = pair.a, pair.b
     styles = [c.style if c is not None else None for c in contours]
@@ -190,7 +189,7 @@ def _picture_blend(pair: Pair, settings: Settings) -> ShapeBlend:
     )
 
 
-def _contour_blend(pair: Pair, start: Pose, end: Pose) -> ContourBlend:
+def _contour_blend(pair: PicturePair, start: Pose, end: Pose) -> ContourBlend:
     """Return the blend of the outlines of two pictures, corner by corner."""
     a, b = (np.array(pose.corners) for pose in (start, end))
     numbers = tuple(None if c is None else c.number for c in (pair.a, pair.b))
