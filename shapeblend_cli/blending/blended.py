@@ -61,7 +61,7 @@ SHIPS = 1.2
 LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in faults."""
 
-STAYS = 0.42
+LEAST_KEPT = 0.42
 """Minimum share of the lines of the drawing with more of them that stays for the drawings never to be swapped."""
 
 MOST_STEPS = 1000
@@ -120,7 +120,7 @@ def blend_shapes(
         progress = progress.keeping(MOST_STEPS)
         asked = asked._replace(progress=progress)
     may_swap = settings.swap == "auto" and settings.is_free and not is_named
-    may_swap = may_swap and (lines is None or lines.stays < STAYS)
+    may_swap = may_swap and (lines is None or lines.kept_of_longer < LEAST_KEPT)
 
     def swap(shapes: Shapes) -> Shapes:
         if may_swap and pens and not is_swapped(shapes) and are_too_unlike(a, b, shapes, pens, view):
@@ -226,7 +226,7 @@ def _by_lines_or_outlines(
     solid = () if is_all else _by_outlines(asked._replace(a=a, b=b, settings=lines.settings))
 
     def together(by_size: bool) -> Shapes:
-        shapes = (*paced(solid, lines.kept, by_size=by_size), *lines.shapes)
+        shapes = (*paced(solid, lines.kept_of_shorter, by_size=by_size), *lines.shapes)
         return carried_by_lines(shapes) if asked.settings.is_free else shapes
 
     if lines.is_sure:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from shapeblend_cli.motion import pen
     from shapeblend_cli.motion.alignment import Alignment
 
-    Turning = Alignment | Whole | pen.Whole
+    Turning = Alignment | Whole | pen.TurnedLine
 
 TIMES = tuple(k / 8 for k in range(1, 8))
 """Times at which it is looked up whether what turns is in the picture."""
@@ -86,7 +86,7 @@ def _turns(number: int, motion: Motion | None, count: int) -> Iterator[tuple[Has
         from shapeblend_cli.motion import pen  # most drawings have no lines
 
         whole = motion.pieces[0] if isinstance(motion, pen.Pen) else None
-        if isinstance(whole, pen.Whole) and whole.angle:
+        if isinstance(whole, pen.TurnedLine) and whole.angle:
             yield (whole.centre, whole.target, whole.angle), _Turn(number, (0,), whole)
 
 
@@ -97,7 +97,7 @@ def _with_way(motion: Motion | None, old: Turning, new: Turning) -> Motion:
         return Rigid(tuple(cast("Iterator[Alignment]", ways)))
     if isinstance(motion, Whole):
         return cast("Whole", new)
-    return cast("pen.Pen", motion)._replace(pieces=(cast("pen.Whole", new),))
+    return cast("pen.Pen", motion)._replace(pieces=(cast("pen.TurnedLine", new),))
 
 
 def _reach(shape: ShapeBlend) -> float:

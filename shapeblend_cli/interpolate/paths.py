@@ -101,7 +101,7 @@ def waypoints(shape: ShapeBlend, finer: float = 1.0) -> tuple[Waypoint, ...]:
     return tuple(Waypoint(t, paths_at(shape, t)) for t in _cuts(shape, 0.0, 1.0, finer))
 
 
-class Moving:
+class SameMotion:
     """A shape that moves all the time; equal are those with the same paths at both ends and the same motion."""
 
     def __init__(self, shape: ShapeBlend) -> None:
@@ -114,7 +114,7 @@ class Moving:
         return self._hash
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Moving):
+        if not isinstance(other, SameMotion):
             return NotImplemented
         is_same = self.shape.motion is other.shape.motion and len(self._same) == len(other._same)
         return is_same and all(map(is_, self._same, other._same))
@@ -122,11 +122,13 @@ class Moving:
 
 def _cuts(shape: ShapeBlend, begin: float, until: float, finer: float) -> Sequence[float]:
     """Return the times at which a shape's motion is cut into straight steps, from one time to another."""
-    return () if shape.motion is None or begin >= until else _found_cuts(Moving(shape), begin, until, finer)
+    return (
+        () if shape.motion is None or begin >= until else _found_cuts(SameMotion(shape), begin, until, finer)
+    )
 
 
 @lru_cache(maxsize=8)
-def _found_cuts(moving: Moving, begin: float, until: float, finer: float) -> Sequence[float]:
+def _found_cuts(moving: SameMotion, begin: float, until: float, finer: float) -> Sequence[float]:
     """Return `_cuts`, which the view of a blend asks for as animations do."""
     shape = moving.shape
     paths = [path for contour in shape.contours for path in (contour.start, contour.end)]

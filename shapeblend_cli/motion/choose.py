@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.geometry.crossings import chain_crossings, path_crossings
-from shapeblend_cli.interpolate.paths import Moving, expect, paths_at, segments_at
+from shapeblend_cli.interpolate.paths import SameMotion, expect, paths_at, segments_at
 from shapeblend_cli.model import WHOLE, Candidate
 from shapeblend_cli.motion.alignment import Alignment
 from shapeblend_cli.motion.judge import judge_shape
@@ -180,11 +180,11 @@ def _cross_more(shape: ShapeBlend, most: int) -> bool:
 
 def crosses_at(shape: ShapeBlend, t: float) -> bool:
     """Return whether the outlines of a shape cross themselves or each other at a time."""
-    return _crosses_then(Moving(shape), shape.own_time(t))
+    return _crosses_then(SameMotion(shape), shape.own_time(t))
 
 
 @lru_cache(maxsize=8 * len(CHECKED_TIMES))
-def _crosses_then(moving: Moving, t: float) -> bool:
+def _crosses_then(moving: SameMotion, t: float) -> bool:
     """Return `crosses_at` by a shape's own time, kept: `uncrossed` asks it again of the motion that was chosen."""
     shape = moving.shape
     if shape.pace or shape.span != WHOLE:

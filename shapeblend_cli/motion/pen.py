@@ -174,7 +174,7 @@ class Exchange(NamedTuple):
         return Exchange(self.a * by, self.b * by)
 
 
-class Whole(NamedTuple):
+class TurnedLine(NamedTuple):
     """A polyline of a drawing that is turned or flipped as a whole.
 
     It turns by `angle`, in radians, about `centre`, which moves on to `target`; or it is flipped across the direction
@@ -203,7 +203,7 @@ class Whole(NamedTuple):
         """Return where the centre is at a time."""
         return (1.0 - t) * self.centre + t * self.target + self.aside * math.sin(math.pi * t)
 
-    def scaled(self, by: float) -> Whole:
+    def scaled(self, by: float) -> TurnedLine:
         """Return the same, so many times as large."""
         centre, target = self.centre * by, self.target * by
         aside = self.aside * by

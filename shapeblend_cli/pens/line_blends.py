@@ -76,10 +76,10 @@ class LineBlend(NamedTuple):
     rest: tuple[list[PlacedContour], list[PlacedContour]]
     settings: Settings
     is_sure: bool = True  # whether outlines cannot be better
-    kept: float = 1.0  # length of what stays, as a share of all lines of the drawing that has less of them
-    stays: float = (
-        1.0  # the same of the drawing that has more: a check mark on the edge of a pencil is little of that
-    )
+    # Length of what stays, as a share of all lines of the drawing that has less of them, and of that which has more: it
+    # may be all of a check mark, and little of the pencil on whose edge that lies.
+    kept_of_shorter: float = 1.0
+    kept_of_longer: float = 1.0
 
 
 def blend_lines(
@@ -118,8 +118,8 @@ def blend_lines(
     is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
     rest = one.bodies, other.bodies
     shorter, longer = sorted(sum(line.length for line in drawing.lines) for drawing in (one, other))
-    stays = kept * shorter / max(longer, 1e-9)  # dots have no length
-    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, stays)
+    kept_of_longer = kept * shorter / max(longer, 1e-9)  # dots have no length
+    return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, kept_of_longer)
 
 
 def _corners(contour: Contour) -> int:

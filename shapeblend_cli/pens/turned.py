@@ -11,7 +11,7 @@ from shapeblend_cli.geometry.grouping import grouped
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
-from shapeblend_cli.motion.pen import Pen, Whole
+from shapeblend_cli.motion.pen import Pen, TurnedLine
 from shapeblend_cli.pens.line import at, each_once, evenly, foot_points, length
 from shapeblend_cli.pens.moves import Move, alike
 
@@ -63,7 +63,7 @@ def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
     ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
     for way in ways:
-        moving = [Whole(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
+        moving = [TurnedLine(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
         if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
             continue
         reason = FLIPPED if "axis" in way else TURNED
@@ -83,7 +83,7 @@ def sign_turned(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None
     if len(a) != len(b) or not (_may_turn(a) and _may_turn(b)):
         return None
     centre, target = centre_of(a), centre_of(b)
-    moving = [Whole(points, centre, target, angle=np.pi) for points in _outlines(a)]
+    moving = [TurnedLine(points, centre, target, angle=np.pi) for points in _outlines(a)]
     moved, least = _nearest([each.points(1.0) for each in moving], _outlines(b))
     if least > MOST_LEFT * _nearest(_outlines(a), _outlines(b))[1]:
         return None
@@ -202,7 +202,7 @@ def _nearest(
     return found, float(np.mean([costs[k, other].min() for k, other in enumerate(order)]))
 
 
-def _onto(moving: Whole, b: Sequence[PenLine]) -> Whole:
+def _onto(moving: TurnedLine, b: Sequence[PenLine]) -> TurnedLine:
     """Let a line that is turned or flipped end exactly on the lines of B."""
     ends = moving.points(1.0)
     if max(np.min([foot_points(ends, line)[0] for line in _outlines(b)], axis=0)) < EXACT:
@@ -221,7 +221,7 @@ def _outlines(lines: Sequence[PenLine]) -> list[ComplexArray]:
     return [line.drawn for line in lines]
 
 
-def _partners_of(moving: Sequence[Whole], b: Sequence[PenLine]) -> list[int]:
+def _partners_of(moving: Sequence[TurnedLine], b: Sequence[PenLine]) -> list[int]:
     """Return the line of B on which each moved line ends up, for its paint."""
     middles = [complex(each.points(1.0).mean()) for each in moving]
     return [
