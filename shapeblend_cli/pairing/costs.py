@@ -218,10 +218,10 @@ class Works:
     def costs(
         self, rows: Sequence[int], columns: Sequence[int], cheap: FloatArray, most: FloatArray | None = None
     ) -> FloatArray:
-        """Return costs, (rows, columns): the maximum for pairs of infinite cost, and for the dearest of too many.
+        """Return the costs of the work of pairs, (rows, columns): the highest, `WORK_WEIGHT`, for what is not solved.
 
-        It is also that of pairs that cost more than is of use, if that is given: how much dearer pairs are than
-        contours alone matters only where twins are paired with twins.
+        These are pairs whose `cheap` cost is infinite, of too many the dearest, and those that cost more than `most`,
+        if that is given: they are made nowhere but among twins, whose costs are added up.
         """
         some = np.ix_(rows, columns)
         wanted = self._worth_solving(cheap)

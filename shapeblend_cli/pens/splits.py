@@ -32,8 +32,8 @@ SHUT = 0.25
 def split_moves(found: Assignment, moves: Sequence[Move]) -> tuple[list[Move], set[int], set[int]]:
     """Let lines without a partner come out of, or go into, the partner of one that is like them.
 
-    Returns the moves, those of pairs that are replaced among them, and the numbers of the lines of A and B that have no
-    other.
+    Return the moves of all pairs, with those of the lines that come out of one or go into one, and the numbers of these
+    lines in A and in B. Other lines without a partner are still alone.
     """
     twice: dict[tuple[int, int], list[int]] = {}
     for pair in found.pairs:

@@ -323,6 +323,7 @@ def _strung(
     links: Mapping[int, tuple[int, ComplexArray | None, ComplexArray | None]],
     tails: Mapping[tuple[int, int], Tail],
 ) -> list[Stayed]:
+    """Follow the links from run to run, and return each chain as one line that stays."""
     followers = {following for following, _, _ in links.values()}
     order = sorted(range(len(runs)), key=lambda number: number in followers)
     done: set[int] = set()
@@ -349,8 +350,8 @@ def _strung(
                 break
             here = following
         nothing = Tail(parts[0][0][:1], parts[0][1][:1]), Tail(parts[-1][0][-1:], parts[-1][1][-1:])
-        ends_ = tails.get((first, 0), nothing[0]), tails.get((here, 1), nothing[1])
-        strings.append(Stayed((runs[first].a, runs[first].b), parts, ends_, closed))
+        own = tails.get((first, 0), nothing[0]), tails.get((here, 1), nothing[1])
+        strings.append(Stayed((runs[first].a, runs[first].b), parts, own, closed))
     return strings
 
 
