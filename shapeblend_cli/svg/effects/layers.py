@@ -13,7 +13,7 @@ import numpy as np
 
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import ALPHA, NORMAL, SOURCE, Box, Effect, Filter, Mask, Step
-from shapeblend_cli.svg.styles.cascade import share
+from shapeblend_cli.svg.styles.values import share
 from shapeblend_cli.svg.xml.messages import check_limit
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ import numpy as np
 
 from shapeblend_cli.model import ALPHA, SOURCE, Box, Step
 from shapeblend_cli.svg.styles import css_colours as colours
-from shapeblend_cli.svg.styles.cascade import share
 from shapeblend_cli.svg.styles.declarations import substitute
+from shapeblend_cli.svg.styles.values import share
 from shapeblend_cli.svg.xml.messages import Notes
 from shapeblend_cli.svg.xml.units import GrammarError, length, numbers
 

@@ -17,8 +17,9 @@ from shapeblend_cli.model import MOST_CONTOURS, Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
-from shapeblend_cli.svg.styles.cascade import in_force, share
+from shapeblend_cli.svg.styles.cascade import in_force
 from shapeblend_cli.svg.styles.declarations import substitute
+from shapeblend_cli.svg.styles.values import share
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import Affine, is_sound, onto, transform_of, translation
 from shapeblend_cli.svg.xml.units import length

@@ -14,8 +14,9 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.model import Box, Contour, Gradient, LinearGradient, Paint, RadialGradient, Stop, Style
 from shapeblend_cli.svg.reading import viewports
 from shapeblend_cli.svg.styles import css_colours as colours
-from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, in_force, share
+from shapeblend_cli.svg.styles.cascade import Cascade, Inherited, in_force
 from shapeblend_cli.svg.styles.declarations import substitute
+from shapeblend_cli.svg.styles.values import share
 from shapeblend_cli.svg.xml.messages import Notes, check_limit
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, onto
 from shapeblend_cli.svg.xml.transforms import parse as parse_transform

@@ -21,17 +21,10 @@ from shapeblend_cli.svg.reading.elements import contours_of, is_for_us
 from shapeblend_cli.svg.reading.painter import Painter
 from shapeblend_cli.svg.reading.path_commands import MAX_SEGMENTS
 from shapeblend_cli.svg.reading.titles import clean, group_of, name_of, numbered
-from shapeblend_cli.svg.styles.cascade import (
-    INITIAL,
-    Cascade,
-    Inherited,
-    in_force,
-    inherit,
-    share,
-    with_variables,
-)
+from shapeblend_cli.svg.styles.cascade import INITIAL, Cascade, Inherited, in_force, inherit, with_variables
 from shapeblend_cli.svg.styles.declarations import Declarations, substitute
 from shapeblend_cli.svg.styles.selection import no_shape, paints_nothing, select, shape_numbers
+from shapeblend_cli.svg.styles.values import share
 from shapeblend_cli.svg.xml.messages import Notes, Problem, check_limit, printable
 from shapeblend_cli.svg.xml.transforms import IDENTITY, Affine, is_sound, parse, transform_of, translation
 from shapeblend_cli.svg.xml.units import LIMIT, Lengths

@@ -8,9 +8,10 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from shapeblend_cli.svg.styles import css_colours as colours
-from shapeblend_cli.svg.styles.declarations import KEYWORDS, Declarations, parse_inline, put, substitute
+from shapeblend_cli.svg.styles.declarations import Declarations, add, parse_inline, substitute
+from shapeblend_cli.svg.styles.values import CONTEXT, KEYWORDS, MARKERS, inherited_value
 from shapeblend_cli.svg.xml.messages import check_limit
-from shapeblend_cli.svg.xml.units import Measure, length
+from shapeblend_cli.svg.xml.units import Measure
 from shapeblend_cli.svg.xml.xmltree import Node
 
 TEXT = frozenset(
@@ -59,38 +60,14 @@ class Inherited(NamedTuple):
 
 INITIAL = Inherited()
 
-_KEYWORDS = {
-    "fill-rule": ("nonzero", "evenodd"),
-    "clip-rule": ("nonzero", "evenodd"),
-    "stroke-linecap": ("butt", "round", "square"),
-    "stroke-linejoin": ("miter", "round", "bevel", "arcs", "miter-clip"),
-    "visibility": ("visible", "hidden", "collapse"),
-}
 _PARENTS = (KEYWORDS - {"initial"}) | {""}
 _FIELDS = {
     field.replace("_", "-"): field
     for field in Inherited._fields
     if field not in ("text", "variables", "context", "has_color")
 }
-_MAX_DASHES_TEXT = 10_000
-_MAX_DASHES = 1000
 MAX_VARIABLES = 1000
 
-_MARKERS = ("marker-start", "marker-mid", "marker-end")
-_LAYERS = frozenset(("fill", "stroke", "markers"))
-_CONTEXT = {"context-fill": 0, "context-stroke": 1}
-
-_FONT_SIZES = {"smaller": 1 / 1.2, "larger": 1.2}
-_NAMED_SIZES = {
-    "xx-small": 9.0,
-    "x-small": 10.0,
-    "small": 13.0,
-    "medium": 16.0,
-    "large": 18.0,
-    "x-large": 24.0,
-    "xx-large": 32.0,
-    "xxx-large": 48.0,
-}
 _WORDS = r"normal|italic|oblique|small-caps|bold|bolder|lighter|[1-9]00"
 _FONT = rf"(?is)((?:(?:{_WORDS})\s++)*+)([^\s/]++)(?:\s*+/\s*+\S++)?\s++(.++)"
 
@@ -123,8 +100,7 @@ class Cascade:
             layers.append(parse_inline(style))
         for rank in (0, 1):
             for layer in layers:
-                for name, value in layer[rank].items():
-                    put(winners, name, value)
+                add(winners, layer[rank])
         if keep:
             self._kept[id(node)] = winners
         return winners
@@ -171,7 +147,7 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
     changed: dict[str, Any] = {}
     font_size = parent.font_size
     if "marker" in declared:
-        declared = {**dict.fromkeys(_MARKERS, declared["marker"]), **declared}
+        declared = {**dict.fromkeys(MARKERS, declared["marker"]), **declared}
     if not TEXT.isdisjoint(declared):
         declared = _with_font(declared)
         changed["text"] = _text(parent.text, declared)
@@ -195,29 +171,12 @@ def inherit(parent: Inherited, declared: Declarations, note: Callable[[str], Non
 
 
 def _value(name: str, text: str, parent: Inherited, font_size: float) -> Any:
-    if name in ("fill", "stroke"):
-        context = _CONTEXT.get(text.lower())
-        return colours.parse(text) if context is None else parent.context[context]
-    if name in _MARKERS:
-        return text
-    if name == "paint-order":
-        return _paint_order(text)
-    if name == "color":
-        return parent.color if text.lower() == "currentcolor" else colours.parse_colour(text)
-    if name in ("fill-opacity", "stroke-opacity"):
-        return share(text)
-    if name in ("stroke-width", "stroke-dashoffset"):
-        measure = _measure(text, font_size)
-        return None if name == "stroke-width" and measure is not None and measure[0] < 0 else measure
-    if name == "stroke-dasharray":
-        return _dashes(text, font_size)
-    if name == "stroke-miterlimit":
-        limit = length(text) if text[-1:].isdigit() or text[-1:] == "." else None
-        return None if limit is None or limit < 1 else limit
-    if name == "font-size":
-        return _font_size(text, font_size)
     keyword = text.lower()
-    return keyword if keyword in _KEYWORDS[name] else None
+    if name in ("fill", "stroke") and keyword in CONTEXT:
+        return parent.context[CONTEXT.index(keyword)]
+    if name == "color" and keyword == "currentcolor":
+        return parent.color
+    return inherited_value(name, text, font_size)
 
 
 def _with_font(declared: Declarations) -> Declarations:
@@ -257,47 +216,3 @@ def _text(parent: Mapping[str, str], declared: Declarations) -> Mapping[str, str
         elif keyword not in _PARENTS:
             found[name] = value
     return found
-
-
-def _paint_order(text: str) -> str | None:
-    """Return ``stroke`` if strokes are below fills, else ``normal``; what is not named comes later."""
-    words = text.lower().split()
-    if words == ["normal"]:
-        return "normal"
-    if not words or len({*words}) < len(words) or not _LAYERS.issuperset(words):
-        return None
-    order = [*words, *(word for word in ("fill", "stroke") if word not in words)]
-    return "stroke" if order.index("stroke") < order.index("fill") else "normal"
-
-
-def share(text: str) -> float | None:
-    """Return a share between 0 and 1, written as a number or a percentage."""
-    value = length(text, whole=1.0)
-    return None if value is None else min(max(value, 0.0), 1.0)
-
-
-def _measure(text: str, font_size: float) -> Measure | None:
-    is_share = text.endswith("%")
-    value = length(text, 1.0 if is_share else None, font_size)
-    return None if value is None else (value, is_share)
-
-
-def _dashes(text: str, font_size: float) -> tuple[Measure, ...] | None:
-    """Return the lengths of dashes and gaps in turn; of dashes that cannot be read, or are too many, None."""
-    if text.lower() == "none":
-        return ()
-    parts = text[:_MAX_DASHES_TEXT].replace(",", " ").split()
-    if len(text) > _MAX_DASHES_TEXT or not 0 < len(parts) <= _MAX_DASHES:
-        return None
-    dashes = [_measure(part, font_size) for part in parts]
-    return None if any(dash is None or dash[0] < 0 for dash in dashes) else tuple(filter(None, dashes))
-
-
-def _font_size(text: str, font_size: float) -> float:
-    factor = _FONT_SIZES.get(text.lower())
-    if factor is not None:
-        return font_size * factor
-    if text.lower() in _NAMED_SIZES:
-        return _NAMED_SIZES[text.lower()]
-    size = length(text, font_size, font_size)
-    return INITIAL.font_size if size is None or size < 0 else size

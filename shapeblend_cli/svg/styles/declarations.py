@@ -6,11 +6,8 @@ import re
 from collections.abc import Mapping
 from functools import lru_cache
 
-from shapeblend_cli.svg.styles import css_colours as colours
+from shapeblend_cli.svg.styles.values import is_value
 from shapeblend_cli.svg.xml.messages import Problem
-
-KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
-"""Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""
 
 _MAX_INLINE = 100_000
 # What splitting at semicolons would cut in the wrong place: strings, functions, comments, escapes.
@@ -60,19 +57,20 @@ def parse(source: object) -> tuple[Declarations, Declarations]:
 
 
 def put(declarations: Declarations, name: str, value: str) -> None:
-    """Add a declaration, unless it is a colour that cannot be read: then an earlier one stays.
+    """Add a declaration, unless it has a value that cannot be read: then an earlier one stays, as in browsers.
 
     Editors write ``fill: #f00; fill: color(display-p3 1 0 0)`` for readers that know less.
     """
     # The names of custom properties are case-sensitive.
     name = name if name.startswith("--") else name.lower()
-    if name in ("fill", "stroke", "color") and name in declarations and not _is_paint(value):
-        return
-    declarations[name] = value
+    if name not in declarations or is_value(name, value):
+        declarations[name] = value
 
 
-def _is_paint(value: str) -> bool:
-    return colours.parse(value) is not None or value.lower() in KEYWORDS or "var(" in value
+def add(declarations: Declarations, others: Declarations) -> None:
+    """Add declarations of a higher rank."""
+    for name, value in others.items():
+        put(declarations, name, value)
 
 
 def substitute(declared: Declarations, variables: Mapping[str, str]) -> Declarations:

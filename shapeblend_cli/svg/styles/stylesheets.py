@@ -13,7 +13,7 @@ from typing import Any
 import cssselect2
 import tinycss2
 
-from shapeblend_cli.svg.styles.declarations import Declarations, parse
+from shapeblend_cli.svg.styles.declarations import Declarations, add, parse
 from shapeblend_cli.svg.xml.messages import Problem
 from shapeblend_cli.svg.xml.xmltree import Node
 
@@ -65,8 +65,8 @@ def match(root: Node, texts: list[str]) -> dict[int, tuple[Declarations, Declara
             budget.pay(4 * len(matches))
             for _, _, pseudo_element, payload in matches:
                 if pseudo_element is None:
-                    normal.update(payload[0])
-                    important.update(payload[1])
+                    add(normal, payload[0])
+                    add(important, payload[1])
             if normal or important:
                 declared[id(element.etree_element)] = (normal, important)
     except RecursionError:

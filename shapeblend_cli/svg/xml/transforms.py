@@ -14,8 +14,10 @@ if TYPE_CHECKING:
     from shapeblend_cli.svg.xml.messages import Notes
     from shapeblend_cli.svg.xml.xmltree import Node
 
-_SINGLE = ("translate", "rotate", "scale")  # CSS properties that come before `transform`, in this order
-_TRANSFORMS = frozenset(("transform", *_SINGLE))
+SINGLE = ("translate", "rotate", "scale")
+"""CSS properties that come before ``transform``, in this order."""
+
+_TRANSFORMS = frozenset(("transform", *SINGLE))
 
 # Left as text: `re` compiles them when the first transform is read.
 _CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
@@ -188,7 +190,7 @@ def transform_of(node: Node, declared: Mapping[str, str], lengths: Lengths, note
     text = declared.get("transform", "none")
     # The two have different grammars; a property that wins is not the attribute's string.
     matrix = parse(text, None if text is node.get("transform") else lengths)
-    steps = [f"{name}({declared[name]})" for name in _SINGLE if name in declared]
+    steps = [f"{name}({declared[name]})" for name in SINGLE if name in declared]
     first = parse(" ".join(steps), lengths)
     if matrix is None or first is None:
         notes.add("a transform that cannot be read is not applied")

@@ -48,6 +48,59 @@ def test_properties_of_a_style(markup, expected):
     assert {name: getattr(painted, name) for name in expected} == expected
 
 
+UNREADABLE = {
+    "opacity": ('opacity=".5" style="opacity:half"', {"fill_opacity": 0.5}),
+    "fill-opacity": ('style="fill-opacity:.5;fill-opacity:foo"', {"fill_opacity": 0.5}),
+    "stroke-width": ('stroke="red" style="stroke-width:3;stroke-width:-3"', {"stroke_width": 3}),
+    "stroke-linecap": (
+        'stroke="red" stroke-linecap="round" style="stroke-linecap:oval"',
+        {"stroke_linecap": "round"},
+    ),
+    "font-size": ('stroke="red" stroke-width="1em" font-size="5" style="font-size:foo"', {"stroke_width": 5}),
+    "a rule after another": ('class="a b" stroke="red"', {"stroke_width": 3, "fill_opacity": 0.5}),
+}
+
+
+@pytest.mark.parametrize(("attributes", "expected"), UNREADABLE.values(), ids=UNREADABLE)
+def test_a_value_that_cannot_be_read_leaves_an_earlier_one(attributes, expected):
+    sheet = "<style>.a { stroke-width: 3; fill-opacity: .5 } .b { stroke-width: wide; fill-opacity: half }</style>"
+    painted = style(f'{sheet}<rect width="1" height="2" {attributes}/>')
+    assert {name: getattr(painted, name) for name in expected} == expected
+
+
+PLACED = {
+    "transform": ('transform="translate(5)" style="transform:translate(7)"', [[5, 0, 6, 2]]),
+    "the property of one transform": ('style="translate:5px;translate:up"', [[5, 0, 6, 2]]),
+    "display": ('display="none" style="display:shown"', []),
+    "clip-path": ('clip-path="url(#nothing)" style="clip-path:foo"', []),
+}
+
+
+@pytest.mark.parametrize(("attributes", "expected"), PLACED.values(), ids=PLACED)
+def test_so_do_other_properties(attributes, expected):
+    markup = f'<clipPath id="nothing"/><g {attributes}>{RECT}</g><rect x="90" width="9" height="9"/>'
+    assert boxes(drawn(markup)) == [*expected, [90, 0, 99, 9]]
+
+
+def test_so_do_stops():
+    stop = '<stop stop-color="red" stop-opacity=".5" style="stop-color:foo;stop-opacity:foo"/>'
+    painted = style(
+        f'<linearGradient id="g">{stop}</linearGradient><rect width="1" height="2" fill="url(#g)"/>'
+    )
+    assert (painted.fill, painted.fill_opacity) == (RED, 0.5)
+
+
+def test_a_value_that_is_computed_or_replaced_later_counts():
+    drawing = drawn(
+        '<rect width="1" height="2" stroke="red" stroke-width="3" style="stroke-width:calc(1px + 1px)"/>'
+    )
+    assert drawing.shapes[0].style.stroke_width == 1
+    assert drawing.notes == ("stroke-width cannot be read",)
+    assert (
+        style('<rect width="1" height="2" opacity=".5" style="--o:.2;opacity:var(--o)"/>').fill_opacity == 0.2
+    )
+
+
 DOTS = {
     "path": '<path d="M1 1h4M5 5h0m2 2z"/>',
     "line": '<line x1="5" y1="5" x2="5" y2="5"/>',
