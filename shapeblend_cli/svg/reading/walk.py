@@ -98,7 +98,7 @@ class Walk:
         self._is_to_blend = is_to_blend
         self._drawn = 0  # contours
         self._groups = 0
-        self._cascade = Cascade(root)
+        self._cascade = Cascade(self._tree)
         if self._cascade.has_schemes:
             notes.add("prefers-color-scheme: light taken")
         self._ids: dict[str, Node] = {}

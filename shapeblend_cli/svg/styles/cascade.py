@@ -12,7 +12,7 @@ from shapeblend_cli.svg.styles.declarations import Declarations, add, parse_inli
 from shapeblend_cli.svg.styles.values import CONTEXT, KEYWORDS, MARKERS, inherited_value
 from shapeblend_cli.svg.xml.messages import check_limit
 from shapeblend_cli.svg.xml.units import Measure
-from shapeblend_cli.svg.xml.xmltree import Node
+from shapeblend_cli.svg.xml.xmltree import Node, Tree
 
 TEXT = frozenset(
     "alignment-baseline baseline-shift direction dominant-baseline font font-family font-style font-weight "
@@ -66,6 +66,11 @@ _FIELDS = {
     for field in Inherited._fields
     if field not in ("text", "variables", "context", "has_color")
 }
+# Properties that are handed on only where ``inherit`` asks for it. Of transforms, attributes have another grammar.
+_OWN = frozenset(
+    "clip-path display filter flood-color flood-opacity lighting-color mask mix-blend-mode opacity stop-color "
+    "stop-opacity".split()
+)
 MAX_VARIABLES = 1000
 
 _WORDS = r"normal|italic|oblique|small-caps|bold|bolder|lighter|[1-9]00"
@@ -75,7 +80,9 @@ _FONT = rf"(?is)((?:(?:{_WORDS})\s++)*+)([^\s/]++)(?:\s*+/\s*+\S++)?\s++(.++)"
 class Cascade:
     """The style rules of a document."""
 
-    def __init__(self, root: Node) -> None:
+    def __init__(self, tree: Tree) -> None:
+        root = tree.root
+        self._tree = tree
         self._rules: dict[int, tuple[Declarations, Declarations]] = {}
         self._kept: dict[int, Declarations] = {}
         sheets = [node for node in root.walk() if node.tag == "style"]
@@ -92,6 +99,14 @@ class Cascade:
         """Return the winning declaration of each property; `keep` it if the node will be asked for again."""
         if id(node) in self._kept:
             return self._kept[id(node)]
+        winners = self._winners(node)
+        if "inherit" in winners.values():
+            return self._inheriting(node, winners)
+        if keep:
+            self._kept[id(node)] = winners
+        return winners
+
+    def _winners(self, node: Node) -> Declarations:
         winners = {name: value for name, value in node.attrib.items() if name in PRESENTATION}
         rules = self._rules.get(id(node))
         style = node.attrib.get("style")
@@ -101,9 +116,25 @@ class Cascade:
         for rank in (0, 1):
             for layer in layers:
                 add(winners, layer[rank])
-        if keep:
-            self._kept[id(node)] = winners
         return winners
+
+    def _inheriting(self, node: Node, winners: Declarations) -> Declarations:
+        """Return the declarations of an element with those that it takes from the element around it, and keep them."""
+        waiting = [(node, winners)]
+        found: Declarations = {}
+        while (around := self._tree.parent(node)) is not None:
+            node = around
+            found = self._kept.get(id(node)) or self._winners(node)
+            if id(node) in self._kept or "inherit" not in found.values():
+                break
+            waiting.append((node, found))
+            found = {}
+        for node, winners in reversed(waiting):
+            asking = {name for name in _OWN.intersection(winners) if winners[name] == "inherit"}
+            winners = {name: value for name, value in winners.items() if name not in asking}
+            winners |= {name: found[name] for name in asking.intersection(found)}
+            found = self._kept[id(node)] = winners
+        return found
 
 
 def _is_css(node: Node) -> bool:

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 # Left as text: `re` compiles them when they are first used, and few files need all of them.
 _RGB = r"rgb\(\s*([0-9]{1,3})\s*,\s*([0-9]{1,3})\s*,\s*([0-9]{1,3})\s*\)"
 _URL = r"(?s)url\(\s*([\"']?)(.*?)\1\s*\)\s*(.*)"
+_LIGHT = r"(?is)light-dark\(((?>[^(),]+|\((?>[^()]+|\([^()]*\))*\))+),.*\)"
 _ICC = r"\s*(?:icc-color|device-\w+)\(.*\)$"
 
 
@@ -47,7 +48,7 @@ def parse(text: str) -> Paint | None:
     text = text.strip()
     if len(text) > _MAX_LENGTH:
         return None
-    keyword = _KEYWORDS.get(text.lower())
+    keyword = _KEYWORDS.get(_for_light(text).lower())
     if keyword is not None:
         return keyword
     match = re.fullmatch(_URL, text) if text.startswith("url") else None
@@ -62,7 +63,7 @@ def parse_colour(text: str) -> Colour | None:
     """Return a CSS colour, or None when `text` is none."""
     if len(text) > _MAX_LENGTH:
         return None
-    text = text.strip()
+    text = _for_light(text.strip())
     common = _COMMON.get(text)
     if common is not None:
         return common
@@ -74,6 +75,12 @@ def parse_colour(text: str) -> Colour | None:
     if match:
         return Colour("#" + "".join(f"{min(int(match[k]), 255):02x}" for k in (1, 2, 3)))
     return _from_css(text)
+
+
+def _for_light(text: str) -> str:
+    """Return the first of the two colours of ``light-dark()``, which is the one on a light page, or any other text."""
+    match = re.fullmatch(_LIGHT, text) if text[:10].lower() == "light-dark" else None
+    return match[1].strip() if match else text
 
 
 def _from_hex(digits: str) -> Colour:

@@ -107,11 +107,15 @@ class Tree:
     def _parents(self) -> dict[int, Node]:
         return {id(child): each for each in self.root.walk() for child in each.children}
 
+    def parent(self, node: Node) -> Node | None:
+        """Return the element that one is in, if it is in any."""
+        return self._parents.get(id(node))
+
     def around(self, node: Node) -> list[Node]:
         """Return the elements around one, from the root inwards."""
         path = []
-        while id(node) in self._parents:
-            node = self._parents[id(node)]
+        while (parent := self.parent(node)) is not None:
+            node = parent
             path.append(node)
         return path[::-1]
 

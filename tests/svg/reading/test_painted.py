@@ -1,5 +1,6 @@
 """What is painted, in which style, and in which order."""
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.model import Stop
@@ -88,6 +89,24 @@ def test_so_do_stops():
         f'<linearGradient id="g">{stop}</linearGradient><rect width="1" height="2" fill="url(#g)"/>'
     )
     assert (painted.fill, painted.fill_opacity) == (RED, 0.5)
+
+
+def test_what_is_not_inherited_is_where_it_is_asked_for():
+    inner = '<g><g opacity=".5"><g style="opacity:inherit"><rect width="1" height="2" opacity="inherit"/></g></g></g>'
+    assert style(inner).fill_opacity == 0.125
+    assert style(f'<g opacity="inherit">{RECT}</g>').fill_opacity == 1
+    stop = '<stop stop-color="inherit" style="stop-opacity:inherit"/>'
+    for around in ('style="stop-color:red" stop-opacity=".5"', ""):
+        server = f'<linearGradient id="g" {around}>{stop}</linearGradient>'
+        painted = style(f'{server}<rect width="1" height="2" fill="url(#g)"/>')
+        assert (painted.fill, painted.fill_opacity) == ((RED, 0.5) if around else ("#000000", 1))
+
+
+def test_inheritance_through_many_elements_is_found_once():
+    deep = '<g opacity="inherit">' * 900 + '<rect width="1" height="2" opacity="inherit"/>' * 9 + "</g>" * 900
+    for shape in drawn(f'<g opacity=".999">{deep}</g>').shapes:
+        opacities = [shape.style.fill_opacity, *(effect.opacity for effect in shape.effects)]
+        assert np.prod(opacities) == pytest.approx(0.999**902)
 
 
 def test_a_value_that_is_computed_or_replaced_later_counts():
@@ -184,6 +203,8 @@ STYLES = {
     "unreadable colour in a style": '<g fill="red" style="fill:oops">{}</g>',
     "unreadable colour": '<g fill="red"><g fill="oops">{}</g></g>',
     "later colour unreadable": '<g style="fill:red;fill:oops(1)">{}</g>',
+    "later colour for light and dark": '<g fill="#00f" style="fill:light-dark(#f00, var(--dark, #0f0))">{}</g>',
+    "colours for light and dark in a variable": '<g style="--c:light-dark(red, lime);fill:var(--c)">{}</g>',
     "later colour better": '<g style="fill:#00f;fill:color(display-p3 1 0 0)">{}</g>',
     "current colour": '<g color="red" fill="currentColor">{}</g>',
     "current colour of the shape": '<g color="blue" fill="currentColor"><g style="color:red">{}</g></g>',

@@ -10,7 +10,8 @@ from shapeblend_cli.svg.xml import transforms, units
 
 UNREADABLE = {
     units.length: "|x|1 px x|1..2|nan|inf|1e999|1e9|1foo|--1|1%|1_0|calc(1px)",
-    colours.parse: f"|oops|#12|#ggg|rgb(|rgb(1,2)|url(|red blue|((((|\0|{'#' * 2000}",
+    colours.parse: f"|oops|#12|#ggg|rgb(|rgb(1,2)|url(|red blue|((((|\0|{'#' * 2000}"
+    "|light-dark(red)|light-dark(oops, red)",
     transforms.parse: "rotate|rotate(|rotate()|rotate(1 2)|scale(1,,2)|scale(,1)|foo(1)|matrix(1 2 3)|scale(1) x"
     "|translate(1e999)|rotate(1deg)|scale(1),",
     lambda text: transforms.parse(
@@ -57,6 +58,8 @@ COLOURS = {
     "color(a98-rgb 1 1 1)": "#ffffff",
     "lab(54.29% 80.81 69.89)": "#ff0000",
     "oklch(0.628 0.2577 29.23)": "#ff0000",
+    "light-dark(#ffffff, var(--dark, #121212))": "#ffffff",
+    "Light-Dark( rgb(1, 2, 3) , hsl(1 2% 3%) )": "#010203",
     "#CD853F icc-color(acmecmyk, 0.1, 0.3)": "#cd853f",
 }
 
