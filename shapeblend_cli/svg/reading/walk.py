@@ -214,7 +214,8 @@ class Walk:
             self._notes.add("backdrop-filter not applied")
         visit = visit._replace(inherited=inherited, opacity=opacity, lengths=lengths)
         if visit.node is not self._root:
-            moved = transform_of(visit.node, declared, lengths, self._notes)
+            box = partial(self._box, visit, declared)
+            moved = transform_of(visit.node, declared, lengths, self._notes, box)
             visit = visit if moved == IDENTITY else visit.transformed(moved)
         return declared, visit
 

@@ -60,7 +60,7 @@ _GRAMMARS = {
     **dict.fromkeys(("marker", *MARKERS), r"none|url\(.*"),
 }
 # Functions that browsers compute and this reader does not: a note says that the value cannot be read.
-_COMPUTED = r"(?i)(?:^|[\s,(])(?:calc|min|max|clamp|env|var|perspective|matrix3d)\("
+_COMPUTED = r"(?i)(?:^|[\s,(])(?:calc|min|max|clamp|env|var)\("
 
 
 def is_value(name: str, text: str) -> bool:

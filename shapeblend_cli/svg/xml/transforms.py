@@ -20,7 +20,7 @@ SINGLE = ("translate", "rotate", "scale")
 _TRANSFORMS = frozenset(("transform", *SINGLE))
 
 # Left as text: `re` compiles them when the first transform is read.
-_CALL = rf"{GAP}([a-zA-Z]++){BLANK}*+\(([^()]*+)\)"
+_CALL = rf"{GAP}([a-zA-Z0-9]++){BLANK}*+\(([^()]*+)\)"
 _ARGUMENT = rf"{GAP}({NUMBER})([a-zA-Z%]*+)"
 _ORIGINS = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
 _MAX_LENGTH = 10_000
@@ -106,6 +106,35 @@ Kinds are n for numbers, s for numbers or percentages, a for angles, x and y for
 """
 
 
+def _rotation_3d(x: float, y: float, z: float, angle: float) -> Affine:
+    """Return the rotation about an axis in space, seen from the front."""
+    size = math.hypot(x, y, z)
+    if size == 0.0:
+        return IDENTITY
+    x, y, z = x / size, y / size, z / size
+    cos, sin = math.cos(angle), math.sin(angle)
+    rest = 1.0 - cos
+    return Affine(cos + x * x * rest, x * y * rest + z * sin, x * y * rest - z * sin, cos + y * y * rest)
+
+
+_IN_SPACE: dict[str, tuple[str, tuple[int, ...], Callable[..., Affine]]] = {
+    "translate3d": ("xyx", (3,), lambda x, y, z: translation(x, y)),
+    "translatez": ("x", (1,), lambda z: IDENTITY),
+    "scale3d": ("sss", (3,), lambda x, y, z: Affine(a=x, d=y)),
+    "scalez": ("s", (1,), lambda z: IDENTITY),
+    "rotatex": ("a", (1,), lambda angle: _rotation_3d(1.0, 0.0, 0.0, angle)),
+    "rotatey": ("a", (1,), lambda angle: _rotation_3d(0.0, 1.0, 0.0, angle)),
+    "rotatez": ("a", (1,), rotation),
+    "rotate3d": ("nnna", (4,), _rotation_3d),
+    "matrix3d": (16 * "n", (16,), lambda *m: Affine(m[0], m[1], m[4], m[5], m[12], m[13])),
+    "perspective": ("x", (1,), lambda distance: IDENTITY),
+}
+"""Functions that only the CSS property has, in the same form: what is left of them in a drawing, which is flat.
+
+Of a list, each is flattened by itself: only turns about several axes in the plane differ from browsers.
+"""
+
+
 def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
     """Read a list of transform functions, or ``none``; return None when `text` is neither.
 
@@ -139,7 +168,8 @@ def _split(pattern: str, text: str) -> list[re.Match[str]]:
 def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
     """Return the map of one function: https://www.w3.org/TR/css-transforms-1/#two-d-transform-functions."""
     arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
-    kinds, counts, affine = _FUNCTIONS.get(name, ("", (), Affine))
+    known = _FUNCTIONS if viewport is None else _FUNCTIONS | _IN_SPACE
+    kinds, counts, affine = known.get(name, ("", (), Affine))
     if len(arguments) not in counts or not all(abs(value) < LIMIT for value, _ in arguments):
         return None
     # Only the attribute's rotate() takes a centre.
@@ -183,10 +213,23 @@ def origin(text: str, lengths: Lengths) -> tuple[float, float]:
     return (0.0, 0.0) if x is None or y is None else (x, y)
 
 
-def transform_of(node: Node, declared: Mapping[str, str], lengths: Lengths, notes: Notes) -> Affine:
-    """Return the transform that an element declares; the identity, with a note, if it cannot be read."""
+def transform_of(
+    node: Node,
+    declared: Mapping[str, str],
+    lengths: Lengths,
+    notes: Notes,
+    box: Callable[[], Box | None] = lambda: None,
+) -> Affine:
+    """Return the transform that an element declares; the identity, with a note, if it cannot be read.
+
+    `box` finds the box around it in its own coordinates, if that is known.
+    """
     if _TRANSFORMS.isdisjoint(declared):
         return IDENTITY
+    kind = declared.get("transform-box", "view-box").strip().lower()
+    around = box() if kind in ("fill-box", "content-box") else None
+    if around is not None:
+        lengths = lengths._replace(width=around.width, height=around.height)
     text = declared.get("transform", "none")
     # The two have different grammars; a property that wins is not the attribute's string.
     matrix = parse(text, None if text is node.get("transform") else lengths)
@@ -196,8 +239,11 @@ def transform_of(node: Node, declared: Mapping[str, str], lengths: Lengths, note
         notes.add("a transform that cannot be read is not applied")
         return IDENTITY
     matrix = first @ matrix
-    if "transform-origin" not in declared:
+    if matrix == IDENTITY:
         return matrix
-    if declared.get("transform-box", "view-box") not in ("view-box", "border-box"):
+    if around is None and kind not in ("view-box", "border-box"):
         notes.add("transform-box read as view-box")
-    return matrix.about(*origin(declared["transform-origin"], lengths))
+    if around is None and "transform-origin" not in declared:
+        return matrix
+    x, y = origin(declared.get("transform-origin", "0 0"), lengths)
+    return matrix.about(x, y) if around is None else matrix.about(around.x + x, around.y + y)

@@ -52,6 +52,19 @@ single properties | <rect width="4" height="2" style="translate: 1px 2px; rotate
 origin | <rect width="4" height="2" transform="rotate(90)" transform-origin="4 0"/> | 2 -4 4 0
 origin in words | <rect width="4" height="2" style="transform: scale(2); transform-origin: right 1px"/> | \
 -4 -1 4 3 | viewBox="0 0 4 4"
+origin in its box | <rect x="10" y="20" width="4" height="2" style="transform: scale(2); transform-box: fill-box; \
+transform-origin: center"/> | 8 19 16 23
+corner of its box | <rect x="10" y="20" width="4" height="2" transform="scale(2)" style="transform-box: fill-box"/> | \
+10 20 18 24
+shares of its box | <circle r="2" style="transform: translate(50%, 25%); transform-box: content-box"/> | 0 -1 4 3
+translate in space | <rect width="4" height="2" style="transform: translate3d(1px, 2px, 3px) translateZ(0)"/> | 1 2 5 4
+scale in space | <rect width="4" height="2" style="transform: scale3d(2, 3, 4) scaleZ(2)"/> | 0 0 8 6
+turned in space | <rect width="4" height="2" style="transform: rotateZ(90deg) rotateY(180deg)"/> | -2 -4 0 0
+turned up | <rect width="4" height="2" style="transform: perspective(9px) rotateX(60deg)"/> | 0 0 4 1
+turned about an axis | <rect width="4" height="2" style="transform: rotate3d(1, 1, 0, 180deg)"/> | 0 0 2 4
+matrix in space | <rect width="4" height="2" style="transform: matrix3d(2,0,0,0, 0,3,0,0, 0,0,1,0, 5,6,7,1)"/> | \
+5 6 13 12
+space is for properties | <rect width="4" height="2" transform="translate3d(1, 2, 3)"/> | 0 0 4 2
 units are no attribute | <rect width="4" height="2" transform="rotate(90deg)"/> | 0 0 4 2
 no units are no property | <rect width="4" height="2" style="transform: rotate(90)"/> | 0 0 4 2
 root turned about its middle | <rect width="4" height="2"/> | 36 18 40 20 | viewBox="0 0 40 20" transform="rotate(180)"
@@ -167,3 +180,11 @@ def test_straight_segments_have_inner_points_at_thirds():
     assert contour.straight.all()
     assert np.allclose(contour.segments[:, 1], (2 * contour.segments[:, 0] + contour.segments[:, 3]) / 3)
     assert np.allclose(contour.segments[:, 2], (contour.segments[:, 0] + 2 * contour.segments[:, 3]) / 3)
+
+
+def test_the_box_of_a_group_is_not_known_before_what_is_in_it():
+    around = '<g style="transform: scale(2); transform-box: fill-box; transform-origin: 0 0">{}</g>'
+    drawing = drawn(around.format(RECT))
+    assert boxes(drawing) == [[0, 0, 2, 4]]
+    assert drawing.notes == ("transform-box read as view-box",)
+    assert drawn(around.replace("scale(2)", "none").format(RECT)).notes == ()
