@@ -101,6 +101,8 @@ class Walk:
         self._cascade = Cascade(self._tree)
         if self._cascade.has_schemes:
             notes.add("prefers-color-scheme: light taken")
+        if self._cascade.is_animated:
+            notes.add("read as it is without its animations")
         self._ids: dict[str, Node] = {}
         for node in root.walk():
             if name := node.get("id"):

@@ -12,7 +12,7 @@ from shapeblend_cli.svg.styles.declarations import Declarations, add, parse_inli
 from shapeblend_cli.svg.styles.values import CONTEXT, KEYWORDS, MARKERS, inherited_value
 from shapeblend_cli.svg.xml.messages import check_limit
 from shapeblend_cli.svg.xml.units import Measure
-from shapeblend_cli.svg.xml.xmltree import Node, Tree
+from shapeblend_cli.svg.xml.xmltree import ANIMATIONS, Node, Tree
 
 TEXT = frozenset(
     "alignment-baseline baseline-shift direction dominant-baseline font font-family font-style font-weight "
@@ -85,7 +85,13 @@ class Cascade:
         self._tree = tree
         self._rules: dict[int, tuple[Declarations, Declarations]] = {}
         self._kept: dict[int, Declarations] = {}
-        sheets = [node for node in root.walk() if node.tag == "style"]
+        sheets, self.is_animated = [], False
+        for node in root.walk():
+            if node.tag == "style":
+                sheets.append(node)
+                self.is_animated |= "keyframes" in node.text and "animation" in node.text
+            else:
+                self.is_animated |= node.tag in ANIMATIONS
         texts = [node.text for node in sheets if _is_css(node)]
         self.has_schemes = any(
             "prefers-color-scheme" in part for node in sheets for part in (node.text, node.get("media") or "")

@@ -59,6 +59,9 @@ GROUPS = frozenset(("g", "a", "switch", "svg", "use"))
 LEFT_OUT = frozenset(("foreignObject", "video", "canvas", "iframe"))
 """Elements that browsers draw and this reader does not."""
 
+ANIMATIONS = frozenset(("animate", "animateColor", "animateMotion", "animateTransform", "set"))
+"""Elements that change others over time."""
+
 WITH_TEXT = frozenset(("style", "title", "desc"))
 """Elements whose text is kept."""
 

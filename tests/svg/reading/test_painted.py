@@ -120,6 +120,24 @@ def test_a_value_that_is_computed_or_replaced_later_counts():
     )
 
 
+ANIMATED = {
+    "animate": '<rect width="1" height="2"><animate attributeName="x" to="9" dur="1s"/></rect>',
+    "set": f'{RECT}<set href="#a" attributeName="x" to="9" begin="click"/><animateMotion path="M0 0h9" dur="1s"/>',
+    "keyframes": f"<style>@keyframes k {{ to {{ translate: 9px }} }} rect {{ animation: k 1s }}</style>{RECT}",
+}
+
+
+@pytest.mark.parametrize("markup", ANIMATED.values(), ids=ANIMATED)
+def test_what_is_animated_is_read_at_rest_and_that_is_said_once(markup):
+    drawing = drawn(markup)
+    assert boxes(drawing) == [[0, 0, 1, 2]]
+    assert drawing.notes == ("read as it is without its animations",)
+
+
+def test_a_sheet_with_a_transition_is_no_animation():
+    assert drawn(f"<style>rect {{ transition: fill 1s }}</style>{RECT}").notes == ()
+
+
 DOTS = {
     "path": '<path d="M1 1h4M5 5h0m2 2z"/>',
     "line": '<line x1="5" y1="5" x2="5" y2="5"/>',
