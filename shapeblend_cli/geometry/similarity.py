@@ -23,7 +23,7 @@ from shapeblend_cli.model import (
 if TYPE_CHECKING:
     from shapeblend_cli.model import Clip, ComplexArray, Filling
 
-LENGTHS = frozenset("stdDeviation radius dx dy scale z pointsAtZ".split())
+LENGTHS = frozenset("stdDeviation radius dx dy scale surfaceScale z pointsAtZ".split())
 """Numbers of a filter that are lengths."""
 
 PLACES = frozenset("x y pointsAtX pointsAtY".split())

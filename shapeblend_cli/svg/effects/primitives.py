@@ -61,8 +61,8 @@ WORDS: dict[str, dict[str, tuple[str, ...]]] = {
 
 SCALARS: dict[str, dict[str, float]] = {
     "feComposite": dict.fromkeys(("k1", "k2", "k3", "k4"), 0.0),
-    "feDiffuseLighting": {"surfaceScale": 1.0, "diffuseConstant": 1.0},
-    "feSpecularLighting": {"surfaceScale": 1.0, "specularConstant": 1.0, "specularExponent": 1.0},
+    "feDiffuseLighting": {"diffuseConstant": 1.0},
+    "feSpecularLighting": {"specularConstant": 1.0, "specularExponent": 1.0},
     "feDistantLight": {"azimuth": 0.0, "elevation": 0.0},
     "feSpotLight": {"specularExponent": 1.0},
     "feTurbulence": {"numOctaves": 1.0, "seed": 0.0},
@@ -179,6 +179,9 @@ class Steps:
         if tag == "feDisplacementMap":
             scale, _ = units.own(self._scalar(node, "scale", 0.0), 0.0)
             found.append(("scale", (scale * units.scale,)))
+        if tag in LIGHTINGS:
+            # A height, so the default is one of the file's units, too.
+            found.append(("surfaceScale", (self._scalar(node, "surfaceScale", 1.0) * units.scale,)))
         for name, default in SCALARS.get(tag, {}).items():
             if node.get(name) is not None:
                 found.append((name, (self._scalar(node, name, default),)))

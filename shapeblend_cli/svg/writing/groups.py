@@ -12,7 +12,9 @@ from shapeblend_cli.svg.writing.rounding import number
 if TYPE_CHECKING:
     from shapeblend_cli.svg.writing.ids import Ids
 
-LENGTHS = frozenset("stdDeviation radius dx dy scale x y z pointsAtX pointsAtY pointsAtZ".split())
+LENGTHS = frozenset(
+    "stdDeviation radius dx dy scale surfaceScale x y z pointsAtX pointsAtY pointsAtZ".split()
+)
 """Numbers of a filter that are lengths or places."""
 
 WHOLE_NUMBERS = frozenset(("order", "numOctaves"))

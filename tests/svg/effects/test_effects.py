@@ -232,6 +232,17 @@ def test_lengths_scale_with_the_placement():
     assert numbers(found.filter.steps[0])["dx"] == (2,)
 
 
+@pytest.mark.parametrize(("attribute", "height"), [('surfaceScale="3"', 3), ("", 1)])
+def test_so_do_surfaces_in_a_light(attribute, height):
+    steps = f"<feDiffuseLighting {attribute}><feDistantLight/></feDiffuseLighting>"
+    light = f'<filter id="f">{steps}</filter>'
+    small = svg(f'{light}<g transform="scale(2)"><g filter="url(#f)">{BOX}</g></g>')
+    large = small.replace(b"0 0 100 100", b"0 0 50 50")
+    (pair,), _ = match_all([read("a.svg", small), read("b.svg", large)], Settings())
+    (found,) = pair.drawn[1][0].effects
+    assert numbers(found.filter.steps[0])["surfaceScale"] == (4 * height,)
+
+
 def test_a_group_that_is_cut_is_said():
     a = f'<g opacity=".5">{BOX}{DISC}</g><rect id="r" x="30" y="40" width="20" height="20" fill="lime"/>'
     b = f'<g opacity=".5">{BOX}<rect id="r" x="40" y="45" width="30" height="20" fill="lime"/>{DISC}</g>'
