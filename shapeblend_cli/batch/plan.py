@@ -21,7 +21,8 @@ _FIELD = re.compile(r"\{\{|\}\}|\{([^{}]*)\}")
 LONGEST = 255
 """Maximum length of a file's name, in bytes, as of nearly every file system."""
 
-FILES = tuple(o.name for record in RECORDS for o in record.options.values() if o.kind.is_file)
+FILES = {o.name: o.flags[-1] for record in RECORDS for o in record.options.values() if o.kind.is_file}
+"""Options that name files, by the names of their fields."""
 
 
 class Task(NamedTuple):
@@ -35,7 +36,7 @@ class Task(NamedTuple):
     place: Path  # the file or the folder that it is recorded for
     tree: str  # the folder that its output and those of similar tasks are in
     source: tuple[str, ...]  # where the tasks of the batch come from: a word and paths
-    pattern: str = ""  # of the output, perhaps with fields
+    patterns: Mapping[str, str]  # of the files that options name, perhaps with fields
 
     @property
     def output(self) -> str:
@@ -101,8 +102,10 @@ def plan(
         output = given["output"]
         tree = os.path.dirname(os.path.join(output.base, output.pattern.partition("{")[0]))
         fields = _fields(row, number, len(rows))
+        patterns = {}
         for name in FILES:
             if given.get(name) is not None:
+                patterns[name] = given[name].pattern
                 path = _filled(given[name], fields, row.where)
                 if given[name].is_bound and not outside:
                     _check_inside(path, given[name].base or os.curdir, row.where, leads)
@@ -119,7 +122,7 @@ def plan(
         except ShapeblendError as error:
             raise OptionError(f"{row.where}: {error}") from None
         place = place_of(job, targets)
-        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source, output.pattern))
+        tasks.append(Task(number, row.where, row.files, given, targets, place, tree, source, patterns))
     _check_files(tasks)
     return tasks
 
@@ -138,8 +141,7 @@ def _suffix(emit: str) -> str:
 
 
 def _fields(row: Row, number: int, count: int) -> dict[str, str]:
-    stems = [os.path.splitext(os.path.basename(file))[0] for file in row.files]
-    fields = dict(zip(LETTERS, stems, strict=False))
+    fields = dict(zip(LETTERS, map(_stem, row.files), strict=False))
     return fields | {"a": os.path.splitext(row.name)[0], "n": f"{number:0{len(str(count))}d}"}
 
 
@@ -181,7 +183,9 @@ def _check_files(tasks: Sequence[Task]) -> None:
         for path in dict.fromkeys((*files, str(task.place))):
             other = owners.setdefault(place(path), _Owner(task, path, path in files)).task
             if other is not task:
-                raise OptionError(f"{task.where}: {path} is written by {other.where} as well; {_apart(task)}")
+                raise OptionError(
+                    f"{task.where}: {path} is written by {other.where} as well; {_apart(task, other, path)}"
+                )
 
     @cache
     def owned(folder: str) -> str:
@@ -218,14 +222,27 @@ def _check_files(tasks: Sequence[Task]) -> None:
                 )
 
 
-def _apart(task: Task) -> str:
-    """Return what would tell the outputs of tasks apart: fields where there are none yet, or others."""
-    named, fields = task.pattern, "{a}" if task.source[0] == "--pairs" else "{a}-{b}"
-    if not named or _FIELD.search(named):
-        return "{n} or {b} in --output would tell them apart"
-    root, suffix = os.path.splitext(named.rstrip("/"))
+def _apart(task: Task, other: Task, path: str) -> str:
+    """Return what would tell a path apart of two tasks: a field in the option that names it."""
+    option = next((name for name in FILES if _is_same(task.given.get(name), path)), "output")
+    pattern = task.patterns[option]
+    if _FIELD.search(pattern):
+        return f"{{n}} in {FILES[option]} would tell them apart"
+    if [*map(_stem, task.files[:2])] == [*map(_stem, other.files[:2])]:
+        fields = "{n}"
+    else:
+        fields = "{a}" if task.source[0] == "--pairs" else "{a}-{b}"
+    root, suffix = os.path.splitext(pattern.rstrip("/"))
     apart = f"{root}-{fields}{suffix}" if suffix else f"{root}/{fields}"
-    return f"--output '{apart}' would tell them apart"
+    return f"{FILES[option]} '{apart}' would tell them apart"
+
+
+def _is_same(name: str | None, path: str) -> bool:
+    return name is not None and os.path.normpath(name) == os.path.normpath(path)
+
+
+def _stem(file: str) -> str:
+    return os.path.splitext(os.path.basename(file))[0]
 
 
 def _check_name(path: str, where: str, longest: int) -> None:

@@ -123,6 +123,22 @@ def test_what_is_wrong_stops_the_batch_before_it_starts(row, drawings, capsys):
     assert contents() == before
 
 
+CLASHING = {
+    "a folder": ('"o": "y"', "--output 'y/{n}'"),
+    "a file": ('"o": "y.svg"', "--output 'y-{n}.svg'"),
+    "a file with fields": ('"o": "{a}-{b}.svg"', "{n} in --output"),
+    "a report": ('"o": "{n}.svg", "report": "r.json"', "--report 'r-{n}.json'"),
+    "a report with fields": ('"o": "{n}.svg", "report": "{a}.json"', "{n} in --report"),
+    "the file of the best": ('"o": "{n}.svg", "try": "t.svg"', "--try 't-{n}.svg'"),
+}
+
+
+@pytest.mark.parametrize(("names", "remedy"), CLASHING.values(), ids=CLASHING)
+def test_what_would_tell_two_jobs_of_the_same_drawings_apart(names, remedy, drawings, capsys):
+    Path("in/jobs.jsonl").write_text(2 * f'{{"a": "1.svg", "b": "2.svg", {names}}}\n', "utf-8")
+    assert_refused(capsys, ["batch", "in/jobs.jsonl"], f"as well; {remedy} would tell them apart")
+
+
 @pytest.mark.parametrize(
     ("name", "text", "words"),
     [
@@ -165,6 +181,7 @@ def test_what_is_wrong_in_other_manifests(name, text, words, here, capsys):
         ("--pairs in in -o out", "--output 'out/{a}' would tell them apart"),
         ("--pairs in in -o o.svg", "--output 'o-{a}.svg' would tell them apart"),
         ("--chain in -o out/", "--output 'out/{a}-{b}' would tell them apart"),
+        ("--chain in -o m/{n}.svg --report r.json", "--report 'r-{a}-{b}.json' would tell them apart"),
         ("--pairs in none", "--pairs: none is no folder"),
         ("--chain in -o in/{a}-{b}.svg", "in/1-2.svg would be taken for one of the drawings the next time"),
         ("--chain in --shard 3/2", "--shard must be K/N, with K from 1 to N, such as 3/16, not '3/2'"),
