@@ -38,6 +38,10 @@ def write_states(
     if not COMPILED:
         note(SLOW)
     element = element_name(options) if options.output.lower().endswith(".js") else None
+    if element is None and options.element is not None:
+        raise OptionError(
+            f"--element is for a custom element, a name ending in .js, not for --output {options.output}"
+        )
     check_output(options.output, files, options.force)
     alone = [tuple(float(k == j) for j in range(len(files))) for k in range(len(files))]
     settings = settings.replace(mix=alone, motion="linear", unmatched="point")

@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 import pytest
 
 from shapeblend_cli.cli import run
-from tests.support.commands import write
+from tests.support.commands import assert_refused, write
 from tests.support.drawings import BAR, EIGHT, LEAF, RING, B, svg
 
 pytestmark = pytest.mark.usefixtures("blended_once")
@@ -80,6 +80,14 @@ def test_one_file_has_no_states_and_existing_files_stay(here, capsys):
     assert run(["states", "a.svg", "b.svg"]) == 1
     assert "exists" in capsys.readouterr().err
     assert Path("states.svg").read_text() == "mine"
+
+
+def test_only_an_element_is_named(here, capsys):
+    assert_refused(
+        capsys,
+        ["states", *three(), "-o", "s.svg", "--element", "my-own"],
+        "--element is for a custom element, a name ending in .js, not for --output s.svg",
+    )
 
 
 def test_elements_react_as_the_trigger_says_unless_they_say_otherwise(here):
