@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import PurePath
 from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing, decompose, main_orientation
@@ -54,7 +53,7 @@ def lay(
                 placed[k]._replace(view=view),
                 painted,
                 view,
-                page._replace(heading=PurePath(drawing.file).stem),
+                page._replace(heading=own_page.heading),
             )
         )
     return laid, notes

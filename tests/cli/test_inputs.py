@@ -63,6 +63,15 @@ def test_standard_input_is_called_so_in_messages(here, stdin, capsys):
     assert capsys.readouterr().err == "shapeblend: <stdin>: the file is empty; an SVG file would work\n"
 
 
+@pytest.mark.parametrize("command", ["states - b.svg -o s.svg", "- b.svg -o s.svg --trigger click"])
+def test_and_in_titles_in_words(here, stdin, command):
+    stdin(svg(f'<path d="{SQUARE}"/>').encode())
+    assert run(command.split()) == 0
+    text = (here / "s.svg").read_text("utf-8")
+    assert "<title>standard input to b</title>" in text
+    assert 'aria-label="standard input to b"' in text
+
+
 def test_standard_input_has_the_limit_of_a_file_and_may_not_be_closed(here, stdin, capsys, monkeypatch):
     monkeypatch.setattr(xmltree, "MAX_BYTES", 1000)
     stdin(svg(" " * 1000).encode())

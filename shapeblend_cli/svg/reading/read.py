@@ -14,10 +14,13 @@ from shapeblend_cli.svg.xml.messages import Notes, Problem, printable
 
 STANDARD_INPUT = "-"
 
+_TITLES = {STANDARD_INPUT: "standard input", "<stdin>": "standard input", "<text>": "text"}
 
-def title_of(file: str) -> str:
+
+def title_of(file: str | os.PathLike[str]) -> str:
     """Return the name of a file in titles, which is its name without the folder."""
-    return "standard input" if file == STANDARD_INPUT else file.replace("\\", "/").rpartition("/")[2]
+    name = os.fspath(file)
+    return _TITLES.get(name) or name.replace("\\", "/").rpartition("/")[2]
 
 
 def read(
@@ -58,7 +61,8 @@ def read(
         shapes = Walk(root, notes, lenient, is_to_blend, text, (images, folder)).shapes(box, select)
     except Problem as problem:
         raise InputError(name, str(problem)) from None
-    return Drawing(name, box, shapes, notes.phrases(), viewports.root_page(root, box))
+    page = viewports.root_page(root, box)._replace(heading=os.path.splitext(title_of(name))[0])
+    return Drawing(name, box, shapes, notes.phrases(), page)
 
 
 def contents_of(file: str) -> bytes:
