@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import HOLE, PlacedContour
-from shapeblend_cli.geometry.polygons import orientation, winding_numbers
+from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places
 from shapeblend_cli.model import Box, ContourBlend, Fade, Root, ShapeBlend, Style
 from shapeblend_cli.pairing.changes import Change, unchanged
@@ -52,6 +52,14 @@ class Match(NamedTuple):
     def group(self) -> _Group:
         """The group that it is painted with."""
         return _Group(self.pair[0].shape, self.pair[1].shape)
+
+    @property
+    def is_turned(self) -> bool:
+        """Whether the contour of B was reversed to be matched, and maybe opened as well."""
+        polygon, own = self.blend.polygon_b, self.pair[1].polygon
+        if own.closed and not polygon.closed:
+            return signed_area(polygon.vertices) * signed_area(own.vertices) < 0.0
+        return orientation(polygon) == -orientation(own)
 
     def points(self, here: int) -> MatchedPoints:
         """Return the vertices that correspond, as seen from A, 0, or B, 1."""
@@ -170,11 +178,7 @@ def _as_their_exteriors(
     """Reverse the holes of exteriors that were reversed to be matched, or these would be no holes on the way."""
     if not here or all(contour.exterior is None for contour in contours):
         return [*contours]
-    turned = {
-        match.pair[1].number
-        for match in matches
-        if orientation(match.blend.polygon_b) == -orientation(match.pair[1].polygon)
-    }
+    turned = {match.pair[1].number for match in matches if match.is_turned}
     return [contour.reversed() if contour.exterior in turned else contour for contour in contours]
 
 

@@ -49,6 +49,14 @@ DRAWINGS = {
         stroked("M3 19 12 4 21 19M12 11V15"),
         stroked("M20 20H4V5H14"),
     ],
+    "a line becomes a fill with a hole": [
+        stroked("M12 3A9 9 0 0 1 12 21"),
+        svg(filled("M3 5H21V20H3Z M6 8V17H18V8Z")),
+    ],
+    "a line becomes such a fill the other way round": [
+        stroked("M12 21A9 9 0 0 0 12 3"),
+        svg(filled("M3 5H21V20H3Z M6 8V17H18V8Z")),
+    ],
     "the order of paint changes": [
         svg(filled("M2 2H16V16H2Z", "#f00"), filled("M8 8H22V22H8Z", "#00f")),
         svg(filled("M8 8H22V22H8Z", "#00f"), filled("M2 2H16V16H2Z", "#f00")),
