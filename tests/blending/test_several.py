@@ -36,6 +36,9 @@ def picture(pairs, shapes, weights):
         ("ph-eye", "ph-eye-slash", "ph-circle", "ph-x"),
         ("ph-x", "ph-plus", "ph-check", "ph-list"),
         ("ph-circle", "ph-eye-slash", "ph-magnifying-glass"),
+        ("ph-toggle-right", "ph-check", "ph-list"),
+        ("ph-magnifying-glass", "ph-x", "ph-eye-slash"),
+        ("ph-x", "lucide-eye-off", "lucide-eye"),
     ],
     ids="-".join,
 )

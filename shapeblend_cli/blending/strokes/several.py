@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 OVERLAP = 0.1
 """Overlap of neighbouring pieces, in widths, so that no hair of the ground is seen between them."""
 
+SAME = 1e-9
+"""Maximum difference of lengths that are one, in units of the drawing."""
+
 
 class Track(NamedTuple):
     """What a stretch of a line becomes: the points that lengths along it, which never fall, go to."""
@@ -54,12 +57,13 @@ class Track(NamedTuple):
 
     def within(self, low: float, high: float, stops: Iterable[float] = ()) -> Track:
         """Return the part of a track between two lengths, or on beyond its ends, with vertices at stops."""
-        inside = (self.lengths >= low) & (self.lengths <= high)
-        known = self.lengths[inside]
+        # What is drawn on at an end of the line has no length along it, and may be before it by a rounding error.
+        inside = (self.lengths >= low - SAME) & (self.lengths <= high + SAME)
+        known = self.lengths[inside].clip(low, high)
         new = [
             stop
             for stop in {low, high, *stops}
-            if low <= stop <= high and not (np.abs(known - stop) < 1e-9).any()
+            if low <= stop <= high and not (np.abs(known - stop) < SAME).any()
         ]
         lengths = np.concatenate([known, new])
         points = np.concatenate([self.points[inside], [self.at(stop) for stop in new]])
@@ -93,11 +97,13 @@ def with_common_lines(
         if not all(every):
             return None
         opened = [own[0] for own in every if not own[0].shape.contours[0].start.closed]
-        seam = float(opened[0].lengths[0]) if line.closed and opened else 0.0
+        whole, overlap = line.length / scale, OVERLAP * line.width / scale
+        # A piece may begin before the beginning of its line.
+        seam = float(opened[0].lengths[0]) % whole if line.closed and opened else 0.0
         if line.closed:
-            every = [_from_seam(own, seam, line.length / scale) for own in every]
+            every = [_from_seam(own, seam, whole, overlap) for own in every]
         outline = (line.part(seam * scale, seam * scale) if seam else line.outline) / scale
-        stretches = _stretches(every, length(outline), OVERLAP * line.width / scale)
+        stretches = _stretches(every, length(outline), overlap)
         for ends, tracks in stretches:
             for own, track in zip(shapes, tracks, strict=True):
                 own.append(_shape(track, ends, outline, number, closed=line.closed and not opened))
@@ -172,16 +178,19 @@ def _tracks(line: PenLine, pair: Pair, scale: float) -> list[Track]:
     return sorted(found, key=lambda track: -track.span)
 
 
-def _from_seam(tracks: Sequence[Track], seam: float, whole: float) -> list[Track]:
-    """Return tracks along a closed line that is cut at its seam, those that cross it as two."""
+def _from_seam(tracks: Sequence[Track], seam: float, whole: float, overlap: float) -> list[Track]:
+    """Return tracks along a closed line that is cut at its seam, those that cross it as two.
+
+    Those that begin a little before it, or end a little after it, are not cut.
+    """
     found = []
     for track in tracks:
         low = float(track.lengths[0] - seam) % whole
-        low = 0.0 if whole - low < 1e-6 * whole else low
+        low = 0.0 if whole - low < overlap else low
         moved = track._replace(lengths=track.lengths - track.lengths[0] + low)
         high = float(moved.lengths[-1])
-        if high <= whole * (1.0 + 1e-6):
-            found.append(moved)
+        if high <= whole + overlap:
+            found.append(moved._replace(lengths=moved.lengths.clip(max=whole)))
             continue
         before, after = moved.within(low, whole), moved.within(whole, high)
         after = after._replace(lengths=after.lengths - whole)
