@@ -48,6 +48,8 @@ def stacked(shapes: Sequence[KeyframedShape], places: IntArray) -> list[Keyframe
 def _box(key: PaintedShape) -> Box | None:
     """Return the box of what is seen of a shape in a drawing; None if that is nothing."""
     drawn = [path for path in key.paths if not path.is_point]
+    if not drawn and key.style.reach:  # dots
+        drawn = [*key.paths]
     if not drawn or not any(paint.colour is not None and paint.opacity for paint in key.style.paints):
         return None
     return Box.union([cubics.bounds(path.segments) for path in drawn]).expanded(key.style.reach)

@@ -173,7 +173,12 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
     for number in range(len(pairs) + 1):
         blend = blends.get(number - 1)
         style = _style(first, 0) if blend is None else _style(blend, 1)
-        keys.append(_without_dots([outline[number] for outline in outlines], style))
+        paths = [outline[number] for outline in outlines]
+        shown = first if blend is None else blend
+        if not any(contour.lines[blend is not None] for contour in shown.contours):
+            keys.append(_without_dots(paths, style))
+        else:  # a line may be a dot
+            keys.append(PaintedShape(tuple(paths), style))
     groups = first.groups
     for blend in blends.values():
         groups = common_groups(groups, blend.groups)
@@ -220,14 +225,15 @@ def drawings_in(mixes: Sequence[Sequence[float]]) -> list[int]:
 def mixed_shape(shape: KeyframedShape, weights: Sequence[float]) -> PaintedShape | None:
     """Return the mixture of a shape's keys by weights of sum 1; None if nothing of it is seen."""
     paths = []
+    used = [key for key, weight in zip(shape.keys, weights, strict=True) if weight]
+    is_dot = len(shape.keys[0].paths) == 1 and any(key.style.reach for key in used)
     for k, path in enumerate(shape.keys[0].paths):
         segments = np.zeros_like(path.segments)
         for key, weight in zip(shape.keys, weights, strict=True):
             if weight:
                 segments = segments + weight * key.paths[k].segments
         mixed = CubicPath(segments, path.straight, path.closed)
-        drawn = [key.paths[k] for key, weight in zip(shape.keys, weights, strict=True) if weight]
-        if not all(path.is_point for path in drawn):
+        if is_dot or not all(key.paths[k].is_point for key in used):
             paths.append(mixed)
     if not paths:
         return None

@@ -39,6 +39,7 @@ def picture(pairs, shapes, weights):
         ("ph-toggle-right", "ph-check", "ph-list"),
         ("ph-magnifying-glass", "ph-x", "ph-eye-slash"),
         ("ph-x", "lucide-eye-off", "lucide-eye"),
+        ("ph-x", "ph-list-bullets", "ph-trash"),
     ],
     ids="-".join,
 )

@@ -209,6 +209,7 @@ def _shape(
     """Return the shape of a track: from the outline of its line, or a part of that, to its points."""
     low, high = ends
     along = cumulative_lengths(outline)
+    is_long = length(track.points) > 0.0
     track = track.within(low, high, along.tolist())
     inner = (along > low + 1e-9) & (along < high - 1e-9)
     first, last = points_at(np.array([low, high]), outline, along)
@@ -227,6 +228,8 @@ def _shape(
         closed,
     )
     (contour,) = track.shape.contours
+    if paths[2].is_point and is_long:  # at the end of its line, and no dot
+        contour = contour._replace(lines=(contour.lines[0], None))
     contour = contour._replace(
         a=number,
         b=None,
