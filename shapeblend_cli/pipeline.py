@@ -66,7 +66,7 @@ def match_all(
     laid, notes = lay(drawings, settings, kept)
     check_stiff([contour.polygon for contour in laid[0].placed.contours], settings)
     clock.lap("flatten")
-    mixes = len(laid) > 2 and bool(settings.mix)
+    mixes = settings.has_states or (len(laid) > 2 and bool(settings.mix))
 
     def matched(settings: Settings) -> list[Pair]:
         count = len(laid) - 1
@@ -115,7 +115,8 @@ def _with_effects(
         left_out = (
             "filters and blend modes are left out of mixtures and states; frames and animated SVGs have them"
         )
-        return [pair_without_effects(pair) for pair in pairs], [left_out]
+        grouped = [with_effects(pair)[0] if has_effects(pair) else pair for pair in pairs]
+        return [pair_without_effects(pair) for pair in grouped], [left_out]
     found, notes = [], dict[str, None]()
     for pair in pairs:
         if has_effects(pair):

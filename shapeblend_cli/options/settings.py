@@ -340,6 +340,11 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         return bool(self.mix) and self.motion == "linear" and self.unmatched == "point"
 
     @property
+    def has_states(self) -> bool:
+        """Whether they are those of states: of mixtures with one drawing in each."""
+        return self.is_star and all(1.0 in weights for weights in self.mix)
+
+    @property
     def has_spans(self) -> bool:
         """Whether parts have times of their own."""
         return bool(self.stagger or self.timing.parts)

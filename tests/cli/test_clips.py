@@ -149,8 +149,9 @@ def test_css_transitions_move_clips(here, capsys):
 
 def test_states_say_so_too(here, capsys):
     write(a=clipped(LEFT), b=clipped(RIGHT), c=clipped(RIGHT))
-    assert run("states a.svg b.svg c.svg".split()) == 0
-    assert "clip paths are left out of mixtures and states" in capsys.readouterr().err
+    for files in ("a.svg b.svg c.svg", "a.svg b.svg"):
+        assert run(f"states {files} -f".split()) == 0
+        assert "clip paths are left out of mixtures and states" in capsys.readouterr().err
 
 
 def test_progress_names_the_stages_of_clips():

@@ -74,6 +74,15 @@ DRAWINGS = {
         svg(filled("M2 2H16V16H2Z", "#f00"), filled("M8 8H22V22H8Z", "#00f")),
         svg(filled("M8 8H22V22H8Z", "#00f"), filled("M2 2H16V16H2Z", "#f00")),
     ],
+    "groups are transparent": [
+        svg(f'<g opacity=".5">{filled("M2 2H16L2 16Z", "#f00")}{filled("M16 2V16H2Z")}</g>'),
+        svg(filled("M8 8H22V22H8Z", "#00f")),
+    ],
+    "one of three groups is transparent": [
+        svg(filled("M8 8H22V22H8Z", "#00f")),
+        svg(f'<g opacity=".5">{filled("M2 2H16L2 16Z", "#f00")}{filled("M16 2V16H2Z")}</g>'),
+        svg(filled(ROUND)),
+    ],
     "the line around a fill is cut": [
         svg(filled(HEART, "#fac"), f'<path {LINE} d="{HEART}"/>'),
         svg(filled(ROUND, "#fe0"), f'<path {LINE} d="M12 3A9 9 0 1 0 12 21"/>'),
