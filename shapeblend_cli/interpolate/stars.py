@@ -31,6 +31,12 @@ if TYPE_CHECKING:
     Places = tuple[Place, ...]  # of shapes that are painted together
     Outline = list[CubicPath]  # of a contour in all drawings
 
+SAME = 1e-6
+"""Maximum distance of ends that meet, in units of the drawing."""
+
+UPRIGHT = 3.0
+"""Maximum difference of a corner from a right angle, or from none, that a square cap fills, in degrees."""
+
 
 def star_shapes(pairs: Sequence[Pair]) -> list[KeyframedShape]:
     """Return shapes with a key for each drawing, given the pairs of the first drawing with each other one."""
@@ -171,11 +177,12 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
     first = next(iter(blends.values()))
     keys = []
     for number in range(len(pairs) + 1):
-        blend = blends.get(number - 1)
-        style = _style(first, 0) if blend is None else _style(blend, 1)
+        blend, end = blends.get(number - 1), 1
+        if blend is None:
+            blend, end = first, 0
         paths = [outline[number] for outline in outlines]
-        shown = first if blend is None else blend
-        if not any(contour.lines[blend is not None] for contour in shown.contours):
+        style = _joined(paths, _style(blend, end))
+        if not any(contour.lines[end] for contour in blend.contours):
             keys.append(_without_dots(paths, style))
         else:  # a line may be a dot
             keys.append(PaintedShape(tuple(paths), style))
@@ -184,6 +191,28 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
         groups = common_groups(groups, blend.groups)
     name = Name.common([name for blend in blends.values() for name in blend.names] or [Name()])
     return KeyframedShape(tuple(keys), 0, ((),) * len(pairs), (), name, groups)
+
+
+def _joined(paths: Sequence[CubicPath], style: Style) -> Style:
+    """Return the paint of paths, all of whose ends meet if they are open: there caps stand for joins."""
+    opened = [path for path in paths if not (path.closed or path.is_point)]
+    are_whole = all(abs(path.segments[-1, 3] - path.segments[0, 0]) < SAME for path in opened)
+    if style.stroke_linecap != "butt" or not (style.reach and opened and are_whole):
+        return style
+    if style.stroke_linejoin == "round":
+        return style._replace(stroke_linecap="round")
+    turns = [abs(np.angle(_way(path, 0) / _way(path, -1), deg=True)) for path in opened]
+    is_square = style.stroke_linejoin == "miter" and all(
+        min(turn, abs(turn - 90.0)) < UPRIGHT for turn in turns
+    )
+    return style._replace(stroke_linecap="square") if is_square else style
+
+
+def _way(path: CubicPath, number: int) -> complex:
+    """Return the direction in which a path begins, or ends."""
+    points = path.segments.ravel()[:: -1 if number else 1]
+    other = points[np.abs(points - points[0]) > 1e-9][0]
+    return complex(points[0] - other if number else other - points[0])
 
 
 def _without_dots(paths: Sequence[CubicPath], style: Style) -> PaintedShape:

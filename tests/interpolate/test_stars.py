@@ -83,6 +83,10 @@ DRAWINGS = {
         svg(f'<g opacity=".5">{filled("M2 2H16L2 16Z", "#f00")}{filled("M16 2V16H2Z")}</g>'),
         svg(filled(ROUND)),
     ],
+    "a square is cut open at a corner": [
+        svg(*("M4 20H20", "M4 4H20L17 9"), attributes='fill="none" stroke="#000" stroke-width="2"'),
+        svg("M5 5H19V19H5Z", attributes='fill="none" stroke="#000" stroke-width="3"'),
+    ],
     "the line around a fill is cut": [
         svg(filled(HEART, "#fac"), f'<path {LINE} d="{HEART}"/>'),
         svg(filled(ROUND, "#fe0"), f'<path {LINE} d="M12 3A9 9 0 1 0 12 21"/>'),
