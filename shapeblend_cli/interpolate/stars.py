@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.cubics import lines
 from shapeblend_cli.interpolate.contour_chains import (
     ContourChain,
     is_continued,
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Maximum distance of ends that meet, in units of the drawing."""
+
+SPECK = 1e-4
+"""Minimum length of a line whose direction is seen, as a share of the view: about two units of the last decimal."""
 
 UPRIGHT = 3.0
 """Maximum difference of a corner from a right angle, or from none, that a square cap fills, in degrees."""
@@ -182,6 +186,8 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
             blend, end = first, 0
         paths = [outline[number] for outline in outlines]
         style = _joined(paths, _style(blend, end))
+        if style.reach and style.stroke_linejoin != "round":
+            paths = [_without_specks(path, SPECK * pairs[0].views[0].larger_side) for path in paths]
         if not any(contour.lines[end] for contour in blend.contours):
             keys.append(_without_dots(paths, style))
         else:  # a line may be a dot
@@ -191,6 +197,20 @@ def _shape(group: Places, outlines: Sequence[Outline], pairs: Sequence[Pair]) ->
         groups = common_groups(groups, blend.groups)
     name = Name.common([name for blend in blends.values() for name in blend.names] or [Name()])
     return KeyframedShape(tuple(keys), 0, ((),) * len(pairs), (), name, groups)
+
+
+def _without_specks(path: CubicPath, least: float) -> CubicPath:
+    """Return a path of straight lines whose shortest lines are points: rounded, they would turn, and have mitres."""
+    if not path.straight.all():
+        return path
+    points = np.append(path.segments[:, 0], path.segments[-1, 3])
+    kept = 0
+    for k in range(1, len(points)):
+        if abs(points[k] - points[kept]) < least:
+            points[k] = points[kept]
+        else:
+            kept = k
+    return CubicPath(lines(points, closed=False), path.straight, path.closed)
 
 
 def _joined(paths: Sequence[CubicPath], style: Style) -> Style:

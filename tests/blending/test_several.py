@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from shapeblend_cli.interpolate.stars import mixed_shape, star_shapes
@@ -67,3 +68,13 @@ def test_transparent_lines_are_not_cut():
         drawings = [drawing(f'<path d="{d}" {style} opacity="{opacity}"/>') for d in (ring, arc, ring)]
         pairs, _ = star(*drawings)
         assert any(any(shape.contours[0].lines) for shape in pairs[0].shapes) == is_cut
+
+
+def test_lines_with_mitres_have_no_steps_that_rounding_would_turn():
+    ring, arcs = "M12 4A8 8 0 1 0 12 20A8 8 0 1 0 12 4Z", "M12 4A8 8 0 0 0 12 20M12 20A8 8 0 0 0 20 12"
+    style = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"'
+    drawings = [drawing(f'<path d="{d}" {style}/>') for d in (ring, arcs, "M8 9A4 4 0 1 1 12 13V15M12 18V19")]
+    _, shapes = star(*drawings)
+    paths = [path for shape in shapes for key in shape.keys for path in key.paths]
+    steps = np.concatenate([np.abs(path.segments[:, 3] - path.segments[:, 0]) for path in paths])
+    assert ((steps == 0.0) | (steps > 1e-3)).all()
