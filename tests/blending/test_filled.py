@@ -29,7 +29,7 @@ def blended(tmp_path, a, b, **settings):
 
 def region(shape, t):
     ((clip,),) = (clip.shapes for clip in shape.clips)
-    return control_box(paths_at(clip, t))
+    return control_box(paths_at(clip, shape.own_time(t)))
 
 
 def test_a_level_rises_from_the_foot_of_what_changes_to_its_top(tmp_path):
@@ -63,6 +63,15 @@ def test_the_way_back_is_the_same(tmp_path):
 def test_what_is_filled_may_have_a_gap_where_a_line_is(tmp_path):
     card = "M2 5H22V19H2Z M4 7H20V9H4Z M4 11H20V17H4Z M6 13H10V15H6Z"
     assert is_filled(blended(tmp_path, card, "M2 5H22V9H2Z M2 11H22V19H2Z M6 13H10V15H6Z").shapes)
+
+
+def test_no_time_is_lost_where_nothing_changes(tmp_path):
+    a = "M2 1H22V9H2Z M4 3H20V7H4Z M6 4H9V6H6Z M2 15H22V23H2Z M4 17H20V21H4Z M6 18H9V20H6Z"
+    b = "M2 1H22V9H2Z M6 4H9V6H6Z M2 15H22V23H2Z M6 18H9V20H6Z"
+    _, below = blended(tmp_path, a, b).shapes
+    levels = [region(below, t).y for t in (0.0, 0.25, 0.75, 1.0)]
+    assert levels == pytest.approx([21.0, 18.5, 5.5, 3.0], abs=0.3)
+    assert 7.0 < region(below, 0.5).y < 17.0
 
 
 def test_it_has_a_grade_of_its_own(tmp_path):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import BoolArray, FloatArray, PictureArray, Shapes
+    from shapeblend_cli.model import BoolArray, FloatArray, IntArray, PictureArray, Shapes
 
 AWAY = 0.02
 """Maximum distance between the sides of the boxes around both drawings, as a share of the view's larger side."""
@@ -42,8 +42,11 @@ INSIDE = 0.05
 """Maximum ink of the drawing with less that lies outside that of the other one for it to be seen below the level, as a
 share of its ink."""
 
-SEEN = 0.05
+SEEN = 0.25
 """Minimum difference of two pixels that can be seen, in opacity."""
+
+FASTER = 8.0
+"""Speed of the level where nothing changes, as a multiple of its speed elsewhere."""
 
 OVERLAP = 0.01
 """Height in which both drawings are seen, as a share of the view's larger side: a gap would shine through."""
@@ -74,26 +77,21 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
     sparse, full = inks[1 - fuller], inks[fuller]
     if not _is_filled(sparse, full):
         return usual
-    above, below = _regions(sparse, full, Box.union([*boxes, view]), view, rises=bool(fuller))
+    rows = np.flatnonzero((np.abs(full - sparse) > SEEN).any(axis=1))[:: -1 if fuller else 1]
+    step = view.larger_side / len(full)
+    levels = view.centre.imag - 0.5 * view.larger_side + step * (rows[[0, -1]] + [fuller, 1 - fuller])
+    is_inside = np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
+    overlap = (OVERLAP_INSIDE if is_inside else OVERLAP) * view.larger_side
+    above, below = _regions(levels, overlap, Box.union([*boxes, view]))
+    pace = _pace(rows)
     return (
-        *_still(sides[1 - fuller], 1 - fuller, above, curves=curves),
-        *_still(sides[fuller], fuller, below, curves=curves),
+        *_still(sides[1 - fuller], 1 - fuller, above, pace, curves=curves),
+        *_still(sides[fuller], fuller, below, pace, curves=curves),
     )
 
 
-def _regions(
-    sparse: PictureArray, full: PictureArray, around: Box, view: Box, *, rises: bool
-) -> tuple[ClipBlend, ClipBlend]:
-    """Return the regions above and below the level, which moves as far as two pictures differ, as wide as a box.
-
-    The pictures are of the drawing with less ink, and of that with more, in the middle of a view.
-    """
-    is_inside = np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
-    overlap = (OVERLAP_INSIDE if is_inside else OVERLAP) * view.larger_side
-    step = view.larger_side / len(full)
-    rows = np.flatnonzero((np.abs(full - sparse) > SEEN).any(axis=1))
-    corner = view.centre.imag - 0.5 * view.larger_side
-    levels = corner + step * np.array([rows[-1] + 1, rows[0]])[:: 1 if rises else -1]
+def _regions(levels: FloatArray, overlap: float, around: Box) -> tuple[ClipBlend, ClipBlend]:
+    """Return the regions above and below a level, which is at one place in A and at another one in B, in a box."""
     left, top, right, bottom = around.expanded(overlap).bounds
 
     def region(tops: FloatArray, bottoms: FloatArray) -> ClipBlend:
@@ -101,10 +99,25 @@ def _regions(
             np.array([complex(left, high), complex(right, high), complex(right, low), complex(left, low)])
             for high, low in zip(tops, bottoms, strict=True)
         )
-        contour = vertex_by_vertex((0, 0), start, end, (view.larger_side,) * 2)
+        contour = vertex_by_vertex((0, 0), start, end, (right - left,) * 2)
         return ClipBlend((ShapeBlend((contour,), Style(), Style()),))
 
     return region(np.full(2, top), levels + overlap), region(levels, np.full(2, bottom))
+
+
+def _pace(rows: IntArray) -> tuple[tuple[float, float], ...]:
+    """Return the pace of a level over rows of pixels in which something changes, in order; it is `FASTER` between."""
+    places = np.abs(rows - rows[0])  # where each row begins on the way
+    count = np.arange(len(rows))
+    gaps = np.flatnonzero(np.diff(places) > 1)
+
+    def knots(begins: FloatArray) -> list[float]:
+        inner = np.stack([begins[gaps] + 1.0, begins[gaps + 1]], axis=1).ravel()
+        shares = np.concatenate([[0.0], inner, begins[-1:] + 1.0]) / (begins[-1] + 1.0)
+        return list(shares.tolist())
+
+    times = knots(count + (places - count) / FASTER)
+    return tuple(zip(times, knots(places.astype(float)), strict=True)) if len(gaps) else ()
 
 
 def _is_filled(sparse: PictureArray, full: PictureArray) -> bool:
@@ -133,7 +146,9 @@ def _silhouette(ink: PictureArray) -> BoolArray:
         outside = wide
 
 
-def _still(side: PlacedDrawing, here: int, clip: ClipBlend, *, curves: bool) -> Iterator[ShapeBlend]:
+def _still(
+    side: PlacedDrawing, here: int, clip: ClipBlend, pace: tuple[tuple[float, float], ...], *, curves: bool
+) -> Iterator[ShapeBlend]:
     """Yield the shapes of a drawing, 0 or 1, as they are, clipped."""
     for number, members in groupby(side.contours, key=lambda contour: contour.shape):
         of_shape = list(members)
@@ -146,4 +161,5 @@ def _still(side: PlacedDrawing, here: int, clip: ClipBlend, *, curves: bool) -> 
             reason=FILLED,
             sources=(None, number) if here else (number, None),
             clips=(clip,),
+            pace=pace,
         )
