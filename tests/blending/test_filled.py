@@ -1,5 +1,6 @@
 """A drawing that becomes the same one filled: a level moves, and both stay as they are."""
 
+import numpy as np
 import pytest
 
 import shapeblend_cli as sb
@@ -63,6 +64,13 @@ def test_the_way_back_is_the_same(tmp_path):
 def test_what_is_filled_may_have_a_gap_where_a_line_is(tmp_path):
     card = "M2 5H22V19H2Z M4 7H20V9H4Z M4 11H20V17H4Z M6 13H10V15H6Z"
     assert is_filled(blended(tmp_path, card, "M2 5H22V9H2Z M2 11H22V19H2Z M6 13H10V15H6Z").shapes)
+
+
+def test_a_fill_may_be_partly_transparent(tmp_path):
+    tinted = svg(f'<path d="{SHIELD}" fill-opacity=".2"/>', f'<path d="{OUTLINE}" {EVENODD}/>')
+    for a, b in ((tinted, FILL), (OUTLINE, tinted)):
+        for t in TIMES:
+            assert np.isfinite(control_box(shapes_at(blended(tmp_path, a, b), t)[0].paths).bounds).all()
 
 
 def test_no_time_is_lost_where_nothing_changes(tmp_path):

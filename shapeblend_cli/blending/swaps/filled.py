@@ -43,7 +43,7 @@ INSIDE = 0.05
 share of its ink."""
 
 SEEN = 0.25
-"""Minimum difference of two pixels that can be seen, in opacity."""
+"""Minimum change of opacity in a row of pixels that the level passes slowly, as a share of the largest change."""
 
 FASTER = 8.0
 """Speed of the level where nothing changes, as a multiple of its speed elsewhere."""
@@ -77,7 +77,8 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
     sparse, full = inks[1 - fuller], inks[fuller]
     if not _is_filled(sparse, full):
         return usual
-    rows = np.flatnonzero((np.abs(full - sparse) > SEEN).any(axis=1))[:: -1 if fuller else 1]
+    changes = np.abs(full - sparse).max(axis=1)
+    rows = np.flatnonzero(changes > SEEN * changes.max())[:: -1 if fuller else 1]
     step = view.larger_side / len(full)
     levels = view.centre.imag - 0.5 * view.larger_side + step * (rows[[0, -1]] + [fuller, 1 - fuller])
     is_inside = np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
