@@ -66,6 +66,13 @@ def test_what_is_filled_may_have_a_gap_where_a_line_is(tmp_path):
     assert is_filled(blended(tmp_path, card, "M2 5H22V9H2Z M2 11H22V19H2Z M6 13H10V15H6Z").shapes)
 
 
+def test_the_fill_may_have_another_colour_and_all_of_it_changes_then(tmp_path):
+    red = svg(f'<path d="{FILL}" fill="#e33" {EVENODD}/>')
+    above, below = blended(tmp_path, OUTLINE, red).shapes
+    assert [shape.style_a.fill for shape in (above, below)] == ["#000000", "#ee3333"]
+    assert [region(below, t).y for t in (0.0, 1.0)] == pytest.approx([22.0, 2.0], abs=0.3)
+
+
 def test_a_fill_may_be_partly_transparent(tmp_path):
     tinted = svg(f'<path d="{SHIELD}" fill-opacity=".2"/>', f'<path d="{OUTLINE}" {EVENODD}/>')
     for a, b in ((tinted, FILL), (OUTLINE, tinted)):
@@ -86,6 +93,11 @@ def test_it_has_a_grade_of_its_own(tmp_path):
     assert grade_of(blended(tmp_path, OUTLINE, FILL)).number == FILLED_GRADE
 
 
+def test_a_knob_of_a_switch_slides():
+    (pair,) = sb.blend("docs/icons/bootstrap/toggle-off.svg", "docs/icons/bootstrap/toggle-on.svg").pairs
+    assert not is_filled(pair.shapes)
+
+
 @pytest.mark.parametrize(
     ("a", "b"),
     [
@@ -96,7 +108,7 @@ def test_it_has_a_grade_of_its_own(tmp_path):
             OUTLINE,
             f"M12 3L19 5.6V11C19 15.5 16.5 19 12 20.8C7.5 19 5 15.5 5 11V5.6Z{CHECK}",
         ),  # smaller all around
-        (OUTLINE, svg(f'<path d="{FILL}" fill="#e33" {EVENODD}/>')),
+        (OUTLINE, svg(f'<path d="{SHIELD}" fill="#e33"/>', f'<path d="{CHECK}" fill="#fff"/>')),
     ],
 )
 def test_other_drawings_are_blended_as_usual(tmp_path, a, b):

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from shapeblend_cli.blending.parts.paced import is_coloured
+from shapeblend_cli.blending.graded import faults_of
 from shapeblend_cli.blending.swaps.swapped import FILLED, is_swapped
+from shapeblend_cli.blending.swaps.traced import grown
 from shapeblend_cli.blending.swaps.unlike import ink_of, is_faulty
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ClipBlend, ShapeBlend, Style
@@ -38,6 +39,15 @@ WITHIN = 0.95
 MORE = 0.12
 """Minimum area that is painted in one drawing more than in the other one, as a share of the silhouettes'."""
 
+NEAR = 4
+"""Maximum number of pixels from the edge of a hole to ink of the other drawing, for it to be no other hole."""
+
+OTHER = 0.1
+"""Minimum share of the edges of holes that are others for the usual blend to be broken before a level is better."""
+
+BROKEN = 1.25
+"""Minimum sum of the faults of a blend that is broken: a knob that slides, or a hole that bends, may have less."""
+
 INSIDE = 0.05
 """Maximum ink of the drawing with less that lies outside that of the other one for it to be seen below the level, as a
 share of its ink."""
@@ -58,13 +68,14 @@ OVERLAP_INSIDE = 0.04
 def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curves: bool) -> Shapes:
     """Return the usual blend of two drawings, or if it looks bad one in which they stay, and a level moves.
 
-    That is so if both have one colour, one of them lies within the silhouette of the other and has much more ink, and
+    That is so if each has one colour, one of them lies within the silhouette of the other and has much more ink, and
     nothing is clipped, filtered or a picture.
     """
     sides = a, b
     boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in sides]
     away = np.abs(np.subtract(boxes[0].bounds, boxes[1].bounds)).max()
-    if away > AWAY * view.larger_side or is_coloured(usual):
+    colours = [_colours(side) for side in sides]
+    if away > AWAY * view.larger_side or max(map(len, colours)) > 1:
         return usual
     if any(
         shape.clips or shape.effects or shape.has_pictures for side in sides for shape in side.drawing.shapes
@@ -77,7 +88,10 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
     sparse, full = inks[1 - fuller], inks[fuller]
     if not _is_filled(sparse, full):
         return usual
-    changes = np.abs(full - sparse).max(axis=1)
+    if not is_swapped(usual) and faults_of(usual, view) < BROKEN and _has_other_holes(sparse, full):
+        return usual
+    is_recoloured = colours[0] != colours[1]
+    changes = (np.maximum(full, sparse) if is_recoloured else np.abs(full - sparse)).max(axis=1)
     rows = np.flatnonzero(changes > SEEN * changes.max())[:: -1 if fuller else 1]
     step = view.larger_side / len(full)
     levels = view.centre.imag - 0.5 * view.larger_side + step * (rows[[0, -1]] + [fuller, 1 - fuller])
@@ -89,6 +103,12 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
         *_still(sides[1 - fuller], 1 - fuller, above, pace, curves=curves),
         *_still(sides[fuller], fuller, below, pace, curves=curves),
     )
+
+
+def _colours(side: PlacedDrawing) -> set[str]:
+    """Return the colours of all that is painted of a drawing, in whatever opacities."""
+    paints = [paint for contour in side.contours for paint in contour.style.paints]
+    return {paint.colour for paint in paints if paint.colour is not None}
 
 
 def _regions(levels: FloatArray, overlap: float, around: Box) -> tuple[ClipBlend, ClipBlend]:
@@ -136,15 +156,17 @@ def _silhouette(ink: PictureArray) -> BoolArray:
     outside = np.zeros_like(free)
     outside[0] = True
     while True:
-        wide = outside.copy()
-        wide[1:] |= outside[:-1]
-        wide[:-1] |= outside[1:]
-        wide[:, 1:] |= outside[:, :-1]
-        wide[:, :-1] |= outside[:, 1:]
-        wide &= free
+        wide = grown(outside, 1) & free
         if (wide == outside).all():
             return ~outside[1:-1, 1:-1]
         outside = wide
+
+
+def _has_other_holes(sparse: PictureArray, full: PictureArray) -> bool:
+    """Return whether the fuller picture has holes with edges where the other one has no ink, as a knob that moves."""
+    holes = _silhouette(sparse) & (full <= 0.5)
+    edges = (full > 0.5) & grown(holes, 1)
+    return bool((edges & ~grown(sparse > 0.5, NEAR)).sum() > OTHER * edges.sum())
 
 
 def _still(

@@ -46,7 +46,7 @@ def silhouette(ink: PictureArray) -> ComplexArray | None:
     (VERTICES,) complex or None
         About evenly along the outline, which runs from x towards y. The first pixel has its corners at 0 and 1 + 1j.
     """
-    loops = outlines(~_grown(~_grown(np.pad(ink > 0.5, MARGIN))))
+    loops = outlines(~grown(~grown(np.pad(ink > 0.5, MARGIN), CLOSING), CLOSING))
     areas = [signed_area(loop) for loop in loops]
     if not loops or max(areas) <= 0.0:
         return None
@@ -95,9 +95,9 @@ def outlines(mask: BoolArray) -> list[ComplexArray]:
     return loops
 
 
-def _grown(mask: BoolArray) -> BoolArray:
-    """Return a mask with all pixels within `CLOSING` steps of those that are set."""
-    for _ in range(CLOSING):
+def grown(mask: BoolArray, steps: int) -> BoolArray:
+    """Return a mask with all pixels within so many steps of those that are set."""
+    for _ in range(steps):
         wide = np.pad(mask, 1, mode="edge")
         mask = wide[1:-1, 1:-1] | wide[:-2, 1:-1] | wide[2:, 1:-1] | wide[1:-1, :-2] | wide[1:-1, 2:]
     return mask
