@@ -146,7 +146,7 @@ def blend_shapes(
 
 
 def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool, may_fill: bool) -> Shapes:
-    """Return the usual blend of two drawings, or what looks better: a special one, a swap, or one without crossings."""
+    """Return the usual blend of two drawings, or what looks better: a special one, a swap, a level, or no crossings."""
     settings, view = asked.settings, asked.view
     a, b = with_outlines(*asked.drawn)
     if are_plain := is_plain(a) and is_plain(b):

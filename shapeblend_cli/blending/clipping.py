@@ -99,7 +99,8 @@ class _Clips:
     def __init__(self, pair: Pair, settings: Settings, watch: Watch) -> None:
         self._progress = Progress(Clock(), Kept(0), lambda stage, share: watch(f"clips: {stage}", share))
         settings = settings.replace(**dict.fromkeys(("match", "pins", "start", "stiff", "mix", "specks")))
-        self._settings = settings.replace(strokes="keep")  # what is clipped is seen in regions, not in lines
+        # What is clipped is seen in regions, not in lines; and it would be gone while these are swapped.
+        self._settings = settings.replace(strokes="keep", swap="never")
         self._view = Box.union(list(pair.views))
         self._known: dict[tuple[object, object], ClipBlend] = {}
 

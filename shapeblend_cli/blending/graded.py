@@ -38,8 +38,8 @@ SUSPECT = 0.2
 def grade_of(pair: Pair) -> Grade:
     """Return how good a blend of two drawings looks on its way, as `shapeblend judge` grades its frames.
 
-    Drawings that take each other's place, or that a level fills, have a grade of their own: frames of the former have
-    lost what the judge looks for, and of the latter it sees no clips.
+    Drawings that take each other's place, or that a level fills, have a grade of their own: the judge finds nothing of
+    what it looks for in frames of the former, and does not see the clips of the latter.
     """
     from shapeblend_cli.grading.grade import Grade, grade  # most blends are not graded
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import BoolArray, FloatArray, IntArray, PictureArray, Shapes
+    from shapeblend_cli.model import BoolArray, FloatArray, Paint, PictureArray, Shapes
 
 AWAY = 0.02
 """Maximum distance between the sides of the boxes around both drawings, as a share of the view's larger side."""
@@ -37,7 +37,7 @@ WITHIN = 0.95
 """Minimum ink of the fuller drawing within the silhouette of the other one, as a share of its ink."""
 
 MORE = 0.12
-"""Minimum area that is painted in one drawing more than in the other one, as a share of the silhouettes'."""
+"""Minimum ink that the fuller drawing has more, as a share of the area of both silhouettes together."""
 
 NEAR = 4
 """Maximum number of pixels from the edge of a hole to ink of the other drawing, for it to be no other hole."""
@@ -48,40 +48,41 @@ OTHER = 0.1
 BROKEN = 1.25
 """Minimum sum of the faults of a blend that is broken: a knob that slides, or a hole that bends, may have less."""
 
-INSIDE = 0.05
-"""Maximum ink of the drawing with less that lies outside that of the other one for it to be seen below the level, as a
-share of its ink."""
-
 SEEN = 0.25
 """Minimum change of opacity in a row of pixels that the level passes slowly, as a share of the largest change."""
 
-FASTER = 8.0
-"""Speed of the level where nothing changes, as a multiple of its speed elsewhere."""
+FASTER = 32.0
+"""Speed of the level in other rows, as a multiple of its speed in these."""
 
 OVERLAP = 0.01
 """Height in which both drawings are seen, as a share of the view's larger side: a gap would shine through."""
 
 OVERLAP_INSIDE = 0.04
-"""The same where all ink of the one lies within that of the other."""
+"""The same for opaque drawings of which nearly all ink of the one is within that of the other."""
+
+INSIDE = 0.05
+"""Maximum ink of the drawing with less that lies outside that of the other one for `OVERLAP_INSIDE`, as a share of its
+ink."""
 
 
 def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curves: bool) -> Shapes:
     """Return the usual blend of two drawings, or if it looks bad one in which they stay, and a level moves.
 
-    That is so if each has one colour, one of them lies within the silhouette of the other and has much more ink, and
-    nothing is clipped, filtered or a picture.
+    That is so if each has one colour, the one with more ink lies within the silhouette of the other one, and nothing is
+    clipped, filtered or a picture.
     """
     sides = a, b
-    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in sides]
-    away = np.abs(np.subtract(boxes[0].bounds, boxes[1].bounds)).max()
-    colours = [_colours(side) for side in sides]
-    if away > AWAY * view.larger_side or max(map(len, colours)) > 1:
-        return usual
     if any(
         shape.clips or shape.effects or shape.has_pictures for side in sides for shape in side.drawing.shapes
     ):
         return usual
-    if not (is_swapped(usual) or is_faulty(usual, view)):
+    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in sides]
+    away = np.abs(np.subtract(boxes[0].bounds, boxes[1].bounds)).max()
+    if away > AWAY * view.larger_side or not (is_swapped(usual) or is_faulty(usual, view)):
+        return usual
+    paints = [_paints(side) for side in sides]
+    colours = [{paint.colour for paint in each} for each in paints]
+    if max(map(len, colours)) > 1 or any(paint.gradient for each in paints for paint in each):
         return usual
     inks = ink_of(usual, view)
     fuller = int(inks[1].sum() > inks[0].sum())
@@ -90,25 +91,29 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
         return usual
     if not is_swapped(usual) and faults_of(usual, view) < BROKEN and _has_other_holes(sparse, full):
         return usual
-    is_recoloured = colours[0] != colours[1]
-    changes = (np.maximum(full, sparse) if is_recoloured else np.abs(full - sparse)).max(axis=1)
-    rows = np.flatnonzero(changes > SEEN * changes.max())[:: -1 if fuller else 1]
+    is_opaque = all(paint.opacity == 1.0 for each in paints for paint in each)
+    is_inside = is_opaque and np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
+    either = np.maximum(full, sparse)
+    changes = (either if colours[0] != colours[1] else np.abs(full - sparse)).max(axis=1)
+    first, *_, last = np.flatnonzero(either.any(axis=1)).tolist()
     step = view.larger_side / len(full)
-    levels = view.centre.imag - 0.5 * view.larger_side + step * (rows[[0, -1]] + [fuller, 1 - fuller])
-    is_inside = np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
+    levels = view.centre.imag - 0.5 * view.larger_side + step * np.array([first - 1, last + 2])
+    is_slow = changes[first : last + 1] > SEEN * changes.max()
+    if fuller:
+        levels, is_slow = levels[::-1], is_slow[::-1]
     overlap = (OVERLAP_INSIDE if is_inside else OVERLAP) * view.larger_side
-    above, below = _regions(levels, overlap, Box.union([*boxes, view]))
-    pace = _pace(rows)
+    above, below = _regions(levels, overlap, Box.union([*boxes, view]).expanded(2.0 * step))
+    pace = _pace(is_slow)
     return (
         *_still(sides[1 - fuller], 1 - fuller, above, pace, curves=curves),
         *_still(sides[fuller], fuller, below, pace, curves=curves),
     )
 
 
-def _colours(side: PlacedDrawing) -> set[str]:
-    """Return the colours of all that is painted of a drawing, in whatever opacities."""
+def _paints(side: PlacedDrawing) -> list[Paint]:
+    """Return all paint of a drawing that is seen."""
     paints = [paint for contour in side.contours for paint in contour.style.paints]
-    return {paint.colour for paint in paints if paint.colour is not None}
+    return [paint for paint in paints if paint.colour is not None and paint.opacity > 0.0]
 
 
 def _regions(levels: FloatArray, overlap: float, around: Box) -> tuple[ClipBlend, ClipBlend]:
@@ -126,26 +131,19 @@ def _regions(levels: FloatArray, overlap: float, around: Box) -> tuple[ClipBlend
     return region(np.full(2, top), levels + overlap), region(levels, np.full(2, bottom))
 
 
-def _pace(rows: IntArray) -> tuple[tuple[float, float], ...]:
-    """Return the pace of a level over rows of pixels in which something changes, in order; it is `FASTER` between."""
-    places = np.abs(rows - rows[0])  # where each row begins on the way
-    count = np.arange(len(rows))
-    gaps = np.flatnonzero(np.diff(places) > 1)
-
-    def knots(begins: FloatArray) -> list[float]:
-        inner = np.stack([begins[gaps] + 1.0, begins[gaps + 1]], axis=1).ravel()
-        shares = np.concatenate([[0.0], inner, begins[-1:] + 1.0]) / (begins[-1] + 1.0)
-        return list(shares.tolist())
-
-    times = knots(count + (places - count) / FASTER)
-    return tuple(zip(times, knots(places.astype(float)), strict=True)) if len(gaps) else ()
+def _pace(is_slow: BoolArray) -> tuple[tuple[float, float], ...]:
+    """Return the pace of a level over rows of pixels, in the order in which it passes them."""
+    times = np.append(0.0, np.cumsum(np.where(is_slow, 1.0, 1.0 / FASTER)))
+    own = np.arange(len(times)) / (len(times) - 1)
+    is_knot = np.concatenate([[True], np.diff(is_slow), [True]])
+    return tuple(zip((times / times[-1])[is_knot].tolist(), own[is_knot].tolist(), strict=True))
 
 
 def _is_filled(sparse: PictureArray, full: PictureArray) -> bool:
     """Return whether the second of two pictures is the first one filled."""
     outer, inner = _silhouette(sparse), _silhouette(full)
     area = float((outer | inner).sum())
-    if (outer & inner).sum() < ALIKE * area or full.sum() - sparse.sum() < MORE * area:
+    if not area or (outer & inner).sum() < ALIKE * area or full.sum() - sparse.sum() < MORE * area:
         return False
     return bool(full[outer].sum() >= WITHIN * full.sum())
 
