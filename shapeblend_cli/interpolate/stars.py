@@ -19,7 +19,16 @@ from shapeblend_cli.interpolate.contour_chains import (
     reversed_chain,
 )
 from shapeblend_cli.interpolate.stacks import NOWHERE, stacked
-from shapeblend_cli.model import CubicPath, KeyframedShape, Name, PaintedShape, Pair, ShapeBlend, Style
+from shapeblend_cli.model import (
+    CubicPath,
+    KeyframedShape,
+    Name,
+    PaintedShape,
+    Pair,
+    ShapeBlend,
+    Style,
+    control_box,
+)
 from shapeblend_cli.paint.names import common_groups
 from shapeblend_cli.paint.styles import blend_styles
 
@@ -215,16 +224,16 @@ def _without_specks(path: CubicPath, least: float) -> CubicPath:
 
 def _joined(paths: Sequence[CubicPath], style: Style) -> Style:
     """Return the paint of paths, all of whose ends meet if they are open: there caps stand for joins."""
-    opened = [path for path in paths if not (path.closed or path.is_point)]
+    opened = [path for path in paths if not path.closed and control_box([path]).larger_side > SAME]
     are_whole = all(abs(path.segments[-1, 3] - path.segments[0, 0]) < SAME for path in opened)
-    if style.stroke_linecap != "butt" or not (style.reach and opened and are_whole):
+    if style.stroke_linecap != "butt" or style.stroke_dasharray or not (style.reach and opened and are_whole):
         return style
     if style.stroke_linejoin == "round":
         return style._replace(stroke_linecap="round")
+    if style.stroke_linejoin != "miter":
+        return style
     turns = [abs(np.angle(_way(path, 0) / _way(path, -1), deg=True)) for path in opened]
-    is_square = style.stroke_linejoin == "miter" and all(
-        min(turn, abs(turn - 90.0)) < UPRIGHT for turn in turns
-    )
+    is_square = all(min(turn, abs(turn - 90.0)) < UPRIGHT for turn in turns)
     return style._replace(stroke_linecap="square") if is_square else style
 
 

@@ -102,7 +102,7 @@ def animated_vector(move: Move, timing: Timing, decimals: int) -> str:
                 stops[key] = [(t, number(part[side], 4)) for t, part in shape.trims]
         _add_target(root, shape.name, stops, timing)
         for name, each in regions.items():
-            _add_target(root, name, {"pathData": each} if each[0][1] != each[-1][1] else {}, timing)
+            _add_target(root, name, {"pathData": each} if len({data for _, data in each}) > 1 else {}, timing)
     ElementTree.indent(root)
     return '<?xml version="1.0" encoding="utf-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
 
@@ -120,12 +120,13 @@ def _clipped(parent: Element, regions: Mapping[str, Sequence[tuple[float, str]]]
 def too_long(move: Move, decimals: int) -> list[str]:
     """Return a phrase for each shape whose path is longer than Android's build tools accept."""
     notes = []
-    for name, start, end, waypoints, *_ in move.shapes:
-        drawn = (start.paths, *(waypoint.paths for waypoint in waypoints), end.paths)
+    for shape in move.shapes:
+        drawn = [shape.start.paths, *(waypoint.paths for waypoint in shape.waypoints), shape.end.paths]
+        drawn += [(outline,) for stops in shape.clips for _, outline in stops]
         length = max(len(path_data(paths, decimals)) for paths in drawn)
         if length > LONGEST:
             what = f"its path has {length} characters, and Android takes {LONGEST}"
-            notes.append(f"{name}: {what}; fewer --vertices make it shorter")
+            notes.append(f"{shape.name}: {what}; fewer --vertices make it shorter")
     return notes
 
 

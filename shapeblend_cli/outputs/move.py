@@ -292,7 +292,7 @@ def without_pictures(pairs: Sequence[Pair], where: str) -> tuple[Sequence[Pair],
 def left_out(
     pairs: Sequence[Pair], where: str, clips: Literal["none", "simple", "all"] = "none"
 ) -> list[str]:
-    """Return a phrase for clip paths that a form has not, and one for effects of groups, of which it has none.
+    """Return a phrase for clip paths that a form does not have, and one for effects of groups, of which it has none.
 
     Clip paths of a single outline are `simple`.
     """

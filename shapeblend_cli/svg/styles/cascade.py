@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from shapeblend_cli.svg.styles import css_colours as colours
 from shapeblend_cli.svg.styles.declarations import Declarations, add, parse_inline, substitute
-from shapeblend_cli.svg.styles.values import CONTEXT, KEYWORDS, MARKERS, inherited_value
+from shapeblend_cli.svg.styles.values import CONTEXT, MARKERS, inherited_value
 from shapeblend_cli.svg.xml.messages import check_limit
-from shapeblend_cli.svg.xml.units import Measure
+from shapeblend_cli.svg.xml.units import KEYWORDS, Measure
 from shapeblend_cli.svg.xml.xmltree import ANIMATIONS, Node, Tree
 
 TEXT = frozenset(
@@ -132,6 +132,7 @@ class Cascade:
             node = around
             found = self._kept.get(id(node)) or self._winners(node)
             if id(node) in self._kept or "inherit" not in found.values():
+                self._kept[id(node)] = found
                 break
             waiting.append((node, found))
             found = {}

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from typing import Any
 
 from shapeblend_cli.svg.styles import css_colours as colours
 from shapeblend_cli.svg.xml.transforms import SINGLE, parse
-from shapeblend_cli.svg.xml.units import Lengths, Measure, length
-
-KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
-"""Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""
+from shapeblend_cli.svg.xml.units import KEYWORDS, Lengths, Measure, length
 
 CONTEXT = ("context-fill", "context-stroke")
 """Paints in a marker: those of the line that is marked."""
@@ -63,6 +61,7 @@ _GRAMMARS = {
 _COMPUTED = r"(?i)(?:^|[\s,(])(?:calc|min|max|clamp|env|var)\("
 
 
+@lru_cache(maxsize=4096)
 def is_value(name: str, text: str) -> bool:
     """Return whether a declaration counts in browsers, or is of a property whose values are not known here.
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
-from shapeblend_cli.svg.xml.units import BLANK, GAP, LIMIT, NUMBER, Lengths, length
+from shapeblend_cli.svg.xml.units import BLANK, GAP, KEYWORDS, LIMIT, NUMBER, Lengths, length
 
 if TYPE_CHECKING:
     from shapeblend_cli.model import Box, ComplexArray
@@ -131,7 +131,8 @@ _IN_SPACE: dict[str, tuple[str, tuple[int, ...], Callable[..., Affine]]] = {
 }
 """Functions that only the CSS property has, in the same form: what is left of them in a drawing, which is flat.
 
-Of a list, each is flattened by itself: only turns about several axes in the plane differ from browsers.
+Of a list, each is flattened by itself: turns out of the plane that follow each other, depth after such
+a turn, and perspective differ from browsers.
 """
 
 
@@ -213,6 +214,11 @@ def origin(text: str, lengths: Lengths) -> tuple[float, float]:
     return (0.0, 0.0) if x is None or y is None else (x, y)
 
 
+def _is_none(text: str) -> bool:
+    """Return whether a value of CSS stands for no transform."""
+    return text.strip().lower() in {"none", *KEYWORDS}
+
+
 def transform_of(
     node: Node,
     declared: Mapping[str, str],
@@ -231,9 +237,10 @@ def transform_of(
     if around is not None:
         lengths = lengths._replace(width=around.width, height=around.height)
     text = declared.get("transform", "none")
+    text = "none" if _is_none(text) else text
     # The two have different grammars; a property that wins is not the attribute's string.
     matrix = parse(text, None if text is node.get("transform") else lengths)
-    steps = [f"{name}({declared[name]})" for name in SINGLE if name in declared]
+    steps = [f"{name}({declared[name]})" for name in SINGLE if not _is_none(declared.get(name, "none"))]
     first = parse(" ".join(steps), lengths)
     if matrix is None or first is None:
         notes.add("a transform that cannot be read is not applied")

@@ -13,6 +13,9 @@ from typing import NamedTuple
 from shapeblend_cli.model import Length
 from shapeblend_cli.svg.xml.messages import printable
 
+KEYWORDS = frozenset(("inherit", "initial", "unset", "revert", "revert-layer"))
+"""Values of every property: https://www.w3.org/TR/css-cascade-4/#defaulting-keywords."""
+
 NUMBER = r"(?>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)"
 
 BLANKS = " \t\r\n\f"

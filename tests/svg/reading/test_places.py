@@ -49,6 +49,8 @@ property | <rect width="4" height="2" style="transform: translate(50%, 1px) rota
 viewBox="0 0 20 20"
 property beats attribute | <rect width="1" height="1" transform="scale(9)" style="transform: none"/> | 0 0 1 1
 single properties | <rect width="4" height="2" style="translate: 1px 2px; rotate: 90deg; scale: 2"/> | -3 2 1 10
+single properties for none | <g transform="translate(5 5)" style="rotate: none; scale: initial"> \
+<rect width="4" height="2"/></g> | 5 5 9 7
 origin | <rect width="4" height="2" transform="rotate(90)" transform-origin="4 0"/> | 2 -4 4 0
 origin in words | <rect width="4" height="2" style="transform: scale(2); transform-origin: right 1px"/> | \
 -4 -1 4 3 | viewBox="0 0 4 4"
