@@ -19,7 +19,6 @@ from shapeblend_cli.blending.plates.plain import is_plain
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
-from shapeblend_cli.blending.swaps.filled import filled
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
@@ -63,6 +62,10 @@ LESS = 0.4
 
 LEAST_KEPT = 0.42
 """Minimum share of the lines of the drawing with more of them that stays for the drawings never to be swapped."""
+
+AWAY = 0.02
+"""Maximum distance between the sides of the boxes around a drawing and the same one filled, as a share of the view's
+larger side."""
 
 MOST_STEPS = 1000
 """Maximum number of steps of a blend that are kept for the others that are tried: many pairs and matches are the
@@ -168,7 +171,18 @@ def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool, may_fill: bool) -
         # Without crossings, too, it may be beyond hope.
         if may_swap and shapes is not usual:
             shapes = _exchanged(asked, shapes)
-    return filled(asked.a, asked.b, shapes, view, curves=settings.curves) if may_fill else shapes
+    if may_fill and _are_as_large(asked):
+        from shapeblend_cli.blending.swaps.filled import filled  # few drawings come so far
+
+        return filled(asked.a, asked.b, shapes, view, curves=settings.curves)
+    return shapes
+
+
+def _are_as_large(asked: _Asked) -> bool:
+    """Return whether the boxes around both drawings are one, nearly."""
+    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in asked[:2]]
+    away = max(abs(x - y) for x, y in zip(boxes[0].bounds, boxes[1].bounds, strict=True))
+    return away <= AWAY * asked.view.larger_side
 
 
 def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:

@@ -8,27 +8,23 @@ Not in the paper, whose shapes have no insides.
 
 from __future__ import annotations
 
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.blending.graded import faults_of
-from shapeblend_cli.blending.swaps.swapped import FILLED, is_swapped
+from shapeblend_cli.blending.swaps.swapped import FILLED, is_swapped, shapes_of_one
 from shapeblend_cli.blending.swaps.traced import grown
 from shapeblend_cli.blending.swaps.unlike import ink_of, is_faulty
-from shapeblend_cli.interpolate.paths import with_curves
+from shapeblend_cli.geometry.polygons import rectangle
 from shapeblend_cli.model import Box, ClipBlend, ShapeBlend, Style
 from shapeblend_cli.wires.contour_blends import keep_still, vertex_by_vertex
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import BoolArray, FloatArray, Paint, PictureArray, Shapes
-
-AWAY = 0.02
-"""Maximum distance between the sides of the boxes around both drawings, as a share of the view's larger side."""
+    from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
+    from shapeblend_cli.model import BoolArray, ContourBlend, FloatArray, Paint, PictureArray, Shapes
 
 ALIKE = 0.75
 """Minimum area that is common to both silhouettes, as a share of that of both together."""
@@ -76,9 +72,7 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
         shape.clips or shape.effects or shape.has_pictures for side in sides for shape in side.drawing.shapes
     ):
         return usual
-    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in sides]
-    away = np.abs(np.subtract(boxes[0].bounds, boxes[1].bounds)).max()
-    if away > AWAY * view.larger_side or not (is_swapped(usual) or is_faulty(usual, view)):
+    if not (is_swapped(usual) or is_faulty(usual, view)):
         return usual
     paints = [_paints(side) for side in sides]
     colours = [{paint.colour for paint in each} for each in paints]
@@ -87,9 +81,10 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
     inks = ink_of(usual, view)
     fuller = int(inks[1].sum() > inks[0].sum())
     sparse, full = inks[1 - fuller], inks[fuller]
-    if not _is_filled(sparse, full):
+    outer = _silhouette(sparse)
+    if not _is_filled(sparse, full, outer):
         return usual
-    if not is_swapped(usual) and faults_of(usual, view) < BROKEN and _has_other_holes(sparse, full):
+    if not is_swapped(usual) and faults_of(usual, view) < BROKEN and _has_other_holes(sparse, full, outer):
         return usual
     is_opaque = all(paint.opacity == 1.0 for each in paints for paint in each)
     is_inside = is_opaque and np.maximum(sparse - full, 0.0).sum() <= INSIDE * sparse.sum()
@@ -102,7 +97,8 @@ def filled(a: PlacedDrawing, b: PlacedDrawing, usual: Shapes, view: Box, *, curv
     if fuller:
         levels, is_slow = levels[::-1], is_slow[::-1]
     overlap = (OVERLAP_INSIDE if is_inside else OVERLAP) * view.larger_side
-    above, below = _regions(levels, overlap, Box.union([*boxes, view]).expanded(2.0 * step))
+    drawn = [contour.box.expanded(contour.style.reach) for side in sides for contour in side.contours]
+    above, below = _regions(levels, overlap, Box.union([*drawn, view]).expanded(2.0 * step))
     pace = _pace(is_slow)
     return (
         *_still(sides[1 - fuller], 1 - fuller, above, pace, curves=curves),
@@ -122,7 +118,7 @@ def _regions(levels: FloatArray, overlap: float, around: Box) -> tuple[ClipBlend
 
     def region(tops: FloatArray, bottoms: FloatArray) -> ClipBlend:
         start, end = (
-            np.array([complex(left, high), complex(right, high), complex(right, low), complex(left, low)])
+            rectangle(Box(left, high, right - left, low - high)).segments[:, 0]
             for high, low in zip(tops, bottoms, strict=True)
         )
         contour = vertex_by_vertex((0, 0), start, end, (right - left,) * 2)
@@ -139,9 +135,9 @@ def _pace(is_slow: BoolArray) -> tuple[tuple[float, float], ...]:
     return tuple(zip((times / times[-1])[is_knot].tolist(), own[is_knot].tolist(), strict=True))
 
 
-def _is_filled(sparse: PictureArray, full: PictureArray) -> bool:
-    """Return whether the second of two pictures is the first one filled."""
-    outer, inner = _silhouette(sparse), _silhouette(full)
+def _is_filled(sparse: PictureArray, full: PictureArray, outer: BoolArray) -> bool:
+    """Return whether the second of two pictures is the first one filled, whose silhouette is given."""
+    inner = _silhouette(full)
     area = float((outer | inner).sum())
     if not area or (outer & inner).sum() < ALIKE * area or full.sum() - sparse.sum() < MORE * area:
         return False
@@ -160,9 +156,9 @@ def _silhouette(ink: PictureArray) -> BoolArray:
         outside = wide
 
 
-def _has_other_holes(sparse: PictureArray, full: PictureArray) -> bool:
+def _has_other_holes(sparse: PictureArray, full: PictureArray, outer: BoolArray) -> bool:
     """Return whether the fuller picture has holes with edges where the other one has no ink, as a knob that moves."""
-    holes = _silhouette(sparse) & (full <= 0.5)
+    holes = outer & (full <= 0.5)
     edges = (full > 0.5) & grown(holes, 1)
     return bool((edges & ~grown(sparse > 0.5, NEAR)).sum() > OTHER * edges.sum())
 
@@ -171,16 +167,9 @@ def _still(
     side: PlacedDrawing, here: int, clip: ClipBlend, pace: tuple[tuple[float, float], ...], *, curves: bool
 ) -> Iterator[ShapeBlend]:
     """Yield the shapes of a drawing, 0 or 1, as they are, clipped."""
-    for number, members in groupby(side.contours, key=lambda contour: contour.shape):
-        of_shape = list(members)
-        blends = [keep_still(c, (None, c.number) if here else (c.number, None)) for c in of_shape]
-        style = of_shape[0].style
-        yield ShapeBlend(
-            tuple(map(with_curves, blends) if curves else blends),
-            style,
-            style,
-            reason=FILLED,
-            sources=(None, number) if here else (number, None),
-            clips=(clip,),
-            pace=pace,
-        )
+
+    def blend(contour: PlacedContour) -> ContourBlend:
+        return keep_still(contour, (None, contour.number) if here else (contour.number, None))
+
+    for shape in shapes_of_one(side, here, blend, curves=curves):
+        yield shape._replace(reason=FILLED, clips=(clip,), pace=pace)

@@ -7,18 +7,18 @@ at first as the first one was at last: what is inside changes at once, and its o
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import groupby
+from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import PlacedDrawing, decompose
-from shapeblend_cli.blending.swaps.swapped import RESHAPED
+from shapeblend_cli.blending.swaps.swapped import RESHAPED, shapes_of_one
 from shapeblend_cli.blending.swaps.traced import silhouette
 from shapeblend_cli.geometry.flat_contour import FlatContour
 from shapeblend_cli.geometry.polygons import mean_value_table, polyline_contour, weighted_sums
 from shapeblend_cli.geometry.similarity import Similarity
-from shapeblend_cli.interpolate.paths import segments_at, with_curves
+from shapeblend_cli.interpolate.paths import segments_at
 from shapeblend_cli.model import Contour, Drawing, Fade, ShapeBlend, Style
 from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.wires.contour_blends import follow
@@ -120,7 +120,7 @@ def reshaped(
     return tuple(
         shape
         for here, side in enumerate(sides)
-        for shape in _bent(side.contours, outlines[0], ends, here, curves=curves)
+        for shape in _bent(side, outlines[0], ends, here, curves=curves)
     )
 
 
@@ -156,7 +156,7 @@ def _as_drawing(side: PlacedDrawing, line: ComplexArray) -> PlacedDrawing:
 
 
 def _bent(
-    contours: Sequence[PlacedContour],
+    side: PlacedDrawing,
     outline: ShapeBlend,
     ends: tuple[ComplexArray, ComplexArray],
     here: int,
@@ -165,21 +165,13 @@ def _bent(
 ) -> Iterator[ShapeBlend]:
     """Yield the shapes of a drawing, 0 or 1, which are bent with a silhouette."""
     own, shift = ends[here], ends[1 - here] - ends[here]
-    for number, members in groupby(contours, key=lambda contour: contour.shape):
-        of_shape = list(members)
-        style = of_shape[0].style
-        blends = tuple(_with_image(contour, own, shift, here) for contour in of_shape)
-        if curves:
-            blends = tuple(map(with_curves, blends))
-        weights = tuple(mean_value_table(each.path(here).segments.ravel(), own) for each in blends)
-        yield ShapeBlend(
-            blends,
-            style,
-            style,
+    blend = partial(_with_image, own=own, shift=shift, here=here)
+    for shape in shapes_of_one(side, here, blend, curves=curves):
+        weights = tuple(mean_value_table(each.path(here).segments.ravel(), own) for each in shape.contours)
+        yield shape._replace(
             motion=Bent(outline, own, weights, here),
             reason=RESHAPED,
             fade=APPEARS if here else VANISHES,
-            sources=(None, number) if here else (number, None),
             pace=_pace(here),
         )
 

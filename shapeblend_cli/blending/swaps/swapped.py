@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -12,10 +13,10 @@ from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import FloatArray, Shapes
+    from shapeblend_cli.model import ContourBlend, FloatArray, Shapes
     from shapeblend_cli.options.settings import Settings
 
 GONE = 0.46
@@ -68,21 +69,30 @@ def swapped(
     leaving, coming = _rooms((a, b), centre)
     paces = _leaving(leaving), _coming(coming)
 
-    def scaled(contours: Sequence[PlacedContour], here: int) -> Iterator[ShapeBlend]:
-        for number, members in groupby(contours, key=lambda contour: contour.shape):
-            of_shape = list(members)
-            blends = [grow_from_point(contour, centre, of_b=bool(here)) for contour in of_shape]
-            style = of_shape[0].style
-            styles = style, style._replace(stroke_width=0.0)
-            yield ShapeBlend(
-                tuple(map(with_curves, blends) if settings.curves else blends),
-                *(styles[::-1] if here else styles),
-                reason=reason,
-                sources=(None, number) if here else (number, None),
-                pace=paces[here],
-            )
+    def scaled(side: PlacedDrawing, here: int) -> Iterator[ShapeBlend]:
+        blend = partial(grow_from_point, point=centre, of_b=bool(here))
+        for shape in shapes_of_one(side, here, blend, curves=settings.curves):
+            thin = shape.style_a._replace(stroke_width=0.0)
+            shape = shape._replace(style_a=thin) if here else shape._replace(style_b=thin)
+            yield shape._replace(reason=reason, pace=paces[here])
 
-    return (*scaled(a.contours, here=0), *scaled(b.contours, here=1))
+    return (*scaled(a, here=0), *scaled(b, here=1))
+
+
+def shapes_of_one(
+    side: PlacedDrawing, here: int, blend: Callable[[PlacedContour], ContourBlend], *, curves: bool
+) -> Iterator[ShapeBlend]:
+    """Yield the shapes of a drawing, 0 or 1, which have none of the other one, with contours as `blend` has them."""
+    for number, members in groupby(side.contours, key=lambda contour: contour.shape):
+        of_shape = list(members)
+        blends = map(blend, of_shape)
+        style = of_shape[0].style
+        yield ShapeBlend(
+            tuple(map(with_curves, blends) if curves else blends),
+            style,
+            style,
+            sources=(None, number) if here else (number, None),
+        )
 
 
 def _rooms(sides: tuple[PlacedDrawing, PlacedDrawing], centre: complex) -> list[FloatArray]:

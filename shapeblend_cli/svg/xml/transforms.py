@@ -135,6 +135,8 @@ Of a list, each is flattened by itself: turns out of the plane that follow each 
 a turn, and perspective differ from browsers.
 """
 
+_IN_CSS = _FUNCTIONS | _IN_SPACE
+
 
 def parse(text: str, viewport: Lengths | None = None) -> Affine | None:
     """Read a list of transform functions, or ``none``; return None when `text` is neither.
@@ -169,7 +171,7 @@ def _split(pattern: str, text: str) -> list[re.Match[str]]:
 def _function(name: str, text: str, viewport: Lengths | None) -> Affine | None:
     """Return the map of one function: https://www.w3.org/TR/css-transforms-1/#two-d-transform-functions."""
     arguments = [(float(match[1]), match[2].lower()) for match in _split(_ARGUMENT, text)]
-    known = _FUNCTIONS if viewport is None else _FUNCTIONS | _IN_SPACE
+    known = _FUNCTIONS if viewport is None else _IN_CSS
     kinds, counts, affine = known.get(name, ("", (), Affine))
     if len(arguments) not in counts or not all(abs(value) < LIMIT for value, _ in arguments):
         return None
