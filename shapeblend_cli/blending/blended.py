@@ -27,7 +27,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     is_flawed,
     is_hopeless,
 )
-from shapeblend_cli.blending.turned_drawings import turned_as_a_whole
+from shapeblend_cli.blending.turned_drawings import turned_as_a_whole, turns_what_stays
 from shapeblend_cli.blending.uncrossed import with_crossings_undone
 from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
@@ -108,7 +108,8 @@ def blend_shapes(
     if rotation:
         paired = pair_drawings(a, b, settings, rotation, progress)
         shapes, places = match_pairs(paired)
-        if is_rotated_copy([contour for shape in shapes for contour in shape.contours]):
+        is_copy = is_rotated_copy([contour for shape in shapes for contour in shape.contours])
+        if is_copy and not turns_what_stays(a, b, rotation):
             return _moved(paired, shapes, places, view)
     may_cross_out = settings.strokes != "recover" and not settings.is_star
     for outlined in _in_outlines(asked, pens) if may_cross_out else ():

@@ -8,6 +8,7 @@ directions, such as a pencil and a brush, turn as well where that looks better.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -140,9 +141,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     if not all(lines):
         return None
     centres = boxes[0].centre, boxes[1].centre
-
-    def near(points: ComplexArray, lines: Sequence[ComplexArray]) -> BoolArray:
-        return np.any([are_near(points, line, NEAR * size) for line in lines], axis=0)
+    near = partial(_are_near_lines, tolerance=NEAR * size)
 
     def differ(turned: bool) -> bool:
         sides = [(boxes[0].width, boxes[0].height), (boxes[1].width, boxes[1].height)]
@@ -156,22 +155,53 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     if stays.mean() > MOST_STAYS:
         return None
 
-    def rests(way: Whole) -> bool:
-        """Return whether what is in place at both ends is so on the way, as a face is that turns upside down."""
-        return min(near(way.apply(points[0][stays], t), lines[0]).mean() for t in (1 / 3, 1 / 2)) >= COPIED
-
     quarter = 0.5 * np.pi
     ways = [Whole(*centres, angle=angle) for angle in (np.pi, quarter, -quarter)]
     ways += [Whole(*centres, over=over) for over in (1.0 + 0j, 1j)]
     for way in ways:
         if differ(turned=abs(way.angle) == quarter):
             continue
-        if stays.mean() > STAYS and not (way.angle and rests(way)):
+        if stays.mean() > STAYS and not (way.angle and _rest(points[0][stays], way, near, lines[0])):
             continue
         there = near(way.apply(points[0]), lines[1])
         if there.mean() >= COPIED and near(way.undo(points[1]), lines[0]).mean() >= COPIED:
             return way
     return None
+
+
+def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, angle: float) -> bool:
+    """Return whether most of A has its place in B, but would leave it if A turned, as a switch does beside its knob.
+
+    A single outline is no part beside others, and turns.
+
+    Parameters
+    ----------
+    a, b : PlacedDrawing
+        B is A turned as a whole.
+    angle : float
+        By this, in radians.
+    """
+    if len(a.contours) == 1:
+        return False
+    boxes = [Box.union([contour.box for contour in side.contours]) for side in (a, b)]
+    lines, others = _lines(a), _lines(b)
+    near = partial(_are_near_lines, tolerance=NEAR * max(box.larger_side for box in boxes))
+    points = _points(lines)
+    stays = near(points, others)
+    way = Whole(boxes[0].centre, boxes[1].centre, angle)
+    return bool(stays.mean() > STAYS) and not _rest(points[stays], way, near, lines)
+
+
+def _rest(
+    points: ComplexArray, way: Whole, near: Callable[..., BoolArray], lines: Sequence[ComplexArray]
+) -> bool:
+    """Return whether what is in place at both ends is so on the way, as a face is that turns upside down."""
+    return bool(min(near(way.apply(points, t), lines).mean() for t in (1 / 3, 1 / 2)) >= COPIED)
+
+
+def _are_near_lines(points: ComplexArray, lines: Sequence[ComplexArray], tolerance: float) -> BoolArray:
+    """Return which points are near any of some polylines."""
+    return np.any([are_near(points, line, tolerance) for line in lines], axis=0)
 
 
 def _lines(drawing: PlacedDrawing) -> list[ComplexArray]:

@@ -24,6 +24,7 @@ KEY = "M4 4H10V10H8V12H20V16H18V14H16V18H14V14H4Z"
 KEY_MIRRORED = "M20 4H14V10H16V12H4V16H6V14H8V18H10V14H20Z"
 FACE = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 SMILE = ("M8 7H9V10H8Z", "M15 7H16V10H15Z", "M7 14C9 18 15 18 17 14C15 16 9 16 7 14Z")
+SWITCH = "M8 6H16A6 6 0 0 1 16 18H8A6 6 0 0 1 8 6Z"
 UPSIDE_DOWN = ("M8 14H9V17H8Z", "M15 14H16V17H15Z", "M7 10C9 6 15 6 17 10C15 8 9 8 7 10Z")
 
 
@@ -110,6 +111,16 @@ def test_lines_above_a_tint_are_turned_over_with_it():
 def test_what_stays_is_not_turned():
     aligned = [f"M2 3H22V5H2Z M{left} 9H{left + 12}V11H{left}Z M2 15H22V17H2Z" for left in (2, 10)]
     assert {shape.motion_name for shape in shapes_of(*map(drawing, aligned))} == {"linear"}
+
+
+def test_a_switch_stays_where_its_knob_goes_though_it_is_a_copy_that_is_turned():
+    sides = [
+        drawing(f'<path fill="none" stroke="#000" stroke-width="2" d="{SWITCH}M{x} 6A6 6 0 0 {way} {x} 18"/>')
+        for x, way in ((8, 1), (16, 0))
+    ]
+    shapes = shapes_of(*sides)
+    boxes = [control_box([path for shape in shapes for path in paths_at(shape, t)]) for t in (0.0, 0.5)]
+    np.testing.assert_allclose(boxes[1].bounds, boxes[0].bounds, atol=0.1)
 
 
 @pytest.mark.parametrize("settings", [{"motion": "linear"}, {"stagger": 0.5}, {"pins": ((0, 0),)}])
