@@ -285,7 +285,14 @@ def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLi
     if is_bent:
         return TOLD_IF_BENT
     every = (*lines, *others)
-    return TOLD_IF_SIMPLE if len(every) <= MOST_SIMPLE and all(map(_is_simple, every)) else TOLD
+    if len(every) > MOST_SIMPLE or not all(map(_is_simple, every)):
+        return TOLD
+    return np.inf if all(map(_is_bar, every)) else TOLD_IF_SIMPLE
+
+
+def _is_bar(line: PenLine) -> bool:
+    """Return whether a line is straight."""
+    return bool(abs(line.drawn[-1] - line.drawn[0]) >= LEG * line.length)
 
 
 def _is_simple(line: PenLine) -> bool:
