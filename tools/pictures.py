@@ -60,8 +60,8 @@ TALL = (240, 110)
 MOVING = "--duration 1.2 --ease ease-in-out --repeat pingpong"
 PAIRS = (
     "fox wolf",
-    "snail turtle",
-    "cat-face dog-face",
+    "raised-fist raised-hand",
+    "cow deer",
     "tulip sunflower",
     "egg hatching-chick",
     "grinning-face crying-face",

@@ -24,7 +24,6 @@ from shapeblend_cli.blending.swaps.unlike import (
     ALL,
     are_too_unlike,
     ink_of,
-    is_flawed,
     is_hopeless,
 )
 from shapeblend_cli.blending.turned_drawings import turned_as_a_whole, turns_what_stays
@@ -189,8 +188,7 @@ def _are_as_large(asked: _Asked) -> bool:
 def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:
     """Return a blend, or if it looks bad one in which the drawings take each other's place."""
     a, b, settings, view, progress = asked
-    hopeless = is_hopeless(shapes, view)
-    if not (hopeless or is_flawed(shapes, view)):
+    if not is_hopeless(shapes, view):
         return shapes
     from shapeblend_cli.blending.swaps.reshaped import reshaped  # few blends come so far
 
@@ -198,7 +196,7 @@ def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:
         return _blended(pair_drawings(a, b, settings, 0.0, progress, wanted=[(0, 0)]), view)
 
     found = reshaped(a, b, ink_of(shapes, view), view, blend, curves=settings.curves)
-    return found or (swapped(a, b, settings, view) if hopeless else shapes)
+    return found or swapped(a, b, settings, view)
 
 
 def _in_outlines(

@@ -9,18 +9,15 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 import shapeblend_cli as sb
-from shapeblend_cli.blending.blended import _Asked, _exchanged
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
-from shapeblend_cli.blending.swaps import traced, unlike
+from shapeblend_cli.blending.swaps import traced
 from shapeblend_cli.blending.swaps.reshaped import APPEARS, FARTHEST, MOST_TURNED, MOVING, VANISHES, are_alike
 from shapeblend_cli.blending.swaps.swapped import is_reshaped, is_swapped
 from shapeblend_cli.blending.swaps.traced import HOLES, LOOSE, outlines, silhouette
-from shapeblend_cli.blending.swaps.unlike import FLAWED, is_flawed
 from shapeblend_cli.cli import run
 from shapeblend_cli.frames.frames import shapes_at
 from shapeblend_cli.geometry.polygons import mean_value_table, signed_area
 from shapeblend_cli.model import control_box
-from shapeblend_cli.options.settings import Settings
 
 DRAWINGS = Path("docs/moving/drawings")
 FIST, PALM = DRAWINGS / "raised-fist.svg", DRAWINGS / "raised-hand.svg"
@@ -156,35 +153,11 @@ def test_what_is_clipped_shrinks_and_grows(tmp_path):
     assert not is_reshaped(pair.shapes)
 
 
-@pytest.mark.parametrize(("told", "is_bad"), [(FLAWED - 0.01, False), (FLAWED, True)])
-def test_several_colours_are_flawed_from_a_grade_on(monkeypatch, told, is_bad):
-    monkeypatch.setattr(unlike, "grade_of_shapes", lambda shapes, view: told)
-    (pair,) = sb.blend(FIST, PALM, swap="never").pairs
-    assert is_flawed(pair.shapes, pair.views[0]) == is_bad
-    one = [
-        shape._replace(style_a=pair.shapes[0].style_a, style_b=pair.shapes[0].style_a)
-        for shape in pair.shapes
-    ]
-    assert not is_flawed(tuple(one), pair.views[0]), "trees tell blends of one colour apart less well"
-
-
 def test_polygons_stay_polygons():
     (pair,) = sb.blend(FIST, PALM, curves=False).pairs
     assert is_reshaped(pair.shapes)
     (first, *_), (end, *_) = pair.shapes[0].contours, [c.start for c in pair.shapes[0].contours]
     assert len(end.segments) == len(first.polygon_a.vertices)
-
-
-def test_a_flawed_blend_is_left_if_the_silhouettes_are_unlike(monkeypatch, hands):
-    for name, answer in (
-        ("blended.is_hopeless", False),
-        ("blended.is_flawed", True),
-        ("swaps.reshaped.reshaped", None),
-    ):
-        monkeypatch.setattr(f"shapeblend_cli.blending.{name}", lambda *_, answer=answer, **__: answer)
-    monkeypatch.setattr("shapeblend_cli.blending.blended.ink_of", lambda *_: ())
-    shapes = hands.shapes
-    assert _exchanged(_Asked(None, None, Settings(), None, None), shapes) is shapes
 
 
 def test_a_note_says_so(tmp_path, capsys):

@@ -4,8 +4,9 @@ Two graders or more graded each of many blends of drawings of npm sets, by lot o
 made them. Beside the mean of their grades stands what `blending/swaps/unlike.py` asks of each. Least squares give what
 a radian of bending and what the drawings have in common should count beside the grade that trees tell.
 
-Of signs of one colour, two graders or more saw the blend beside the exchange, and said which they prefer. A logistic
-regression gives the same for these, and the limit at which half of them prefer the exchange.
+Of signs of one colour, and of drawings of several, two graders or more saw the blend beside the exchange, and said
+which they prefer. A logistic regression gives the same for these, and the limit at which half of them prefer the
+exchange.
 """
 
 from __future__ import annotations
@@ -14,11 +15,12 @@ from pathlib import Path
 
 import numpy as np
 
-from shapeblend_cli.blending.swaps.unlike import ANY, FAULTY, SIGNS, Hopeless
+from shapeblend_cli.blending.swaps.unlike import ALONE, ANY, COLOURED, FAULTY, SIGNS, Hopeless
 from tools.grading.fit import rank_correlation
 
 BLENDS = Path(__file__).with_name("exchanges.tsv")
-PREFERENCES = Path(__file__).with_name("signs.tsv")
+OF_SIGNS = Path(__file__).with_name("signs.tsv")
+OF_COLOURS = Path(__file__).with_name("colours.tsv")
 
 STEPS = tuple(k * 0.1 for k in range(-1, 4))
 """What limits that are compared are above those in use, in grades."""
@@ -33,7 +35,12 @@ GOOD = 1.0
 def main() -> None:
     """Print what the graded blends, and then the preferred ones, say of the limits in use."""
     graded()
-    preferred()
+    columns = ["graders", "preferred", "told", "bent", "covered"]
+    preferred("signs", SIGNS, *_columns(OF_SIGNS, columns))
+    *found, alone = _columns(OF_COLOURS, [*columns, "alone"])
+    preferred("coloured drawings", COLOURED, *(column[alone >= ALONE] for column in found))
+    kept = np.average(found[1][alone < ALONE], weights=found[0][alone < ALONE])
+    print(f"where less than {ALONE} of the shapes come or go, {kept:.2f} prefer the exchange")
 
 
 def graded() -> None:
@@ -56,28 +63,33 @@ def graded() -> None:
         print(f"| {limit:.2f} | {some.mean():.2f} | {means} |")
 
 
-def preferred() -> None:
-    """Print what the preferences of graders say of the limit for signs."""
-    graders, shares, told, bent, covered = _columns(
-        PREFERENCES, ["graders", "preferred", "told", "bent", "covered"]
-    )
+def preferred(
+    what: str,
+    limit: Hopeless,
+    graders: np.ndarray,
+    shares: np.ndarray,
+    told: np.ndarray,
+    bent: np.ndarray,
+    covered: np.ndarray,
+) -> None:
+    """Print what the preferences of graders say of a limit, for one kind of drawings."""
     terms = np.column_stack([np.ones(len(told)), told, bent, covered])
     weights = np.zeros(terms.shape[1])
     for _ in range(ROUNDS):
         chance = 1.0 / (1.0 + np.exp(-terms @ weights))
         slopes = (terms * (graders * chance * (1.0 - chance))[:, None]).T @ terms
         weights += np.linalg.solve(slopes, terms.T @ (graders * (shares - chance)))
-    number = _told_of("signs", weights, SIGNS, told, bent, covered)
+    number = _told_of(what, weights, limit, told, bent, covered)
     print(
         f"half of the graders prefer the exchange from {-weights[0] / weights[1]:.2f} on, with the first weights"
     )
     others = told + ANY.per_bent * bent - ANY.in_common * covered >= ANY.least
     print("| limit | share | prefer the exchange, of theirs | of the rest |")
     print("| --- | --- | --- | --- |")
-    for limit in (SIGNS.least + step for step in STEPS):
-        some = ((number >= limit) & (told >= SIGNS.told)) | others
+    for least in (limit.least + step for step in STEPS):
+        some = ((number >= least) & (told >= limit.told)) | others
         means = (np.average(shares[part], weights=graders[part]) for part in (some, ~some))
-        print(f"| {limit:.2f} | {some.mean():.2f} | " + " | ".join(f"{mean:.2f}" for mean in means) + " |")
+        print(f"| {least:.2f} | {some.mean():.2f} | " + " | ".join(f"{mean:.2f}" for mean in means) + " |")
 
 
 def _columns(path: Path, names: list[str]) -> np.ndarray:

@@ -86,10 +86,6 @@ WHOLLY = 1.5
 """Maximum spread of turns that makes a difference to other drawings than lines, in radians."""
 
 
-FLAWED = 1.6
-"""Minimum grade that trees tell of a blend of drawings of several colours that is likely to be sent back."""
-
-
 class Hopeless(NamedTuple):
     """The limit beyond which the blend of drawings that are not lines alone is hopeless."""
 
@@ -109,6 +105,12 @@ ANY = Hopeless(1.4, 0.26, 0.84, told=0.0)
 
 SIGNS = Hopeless(1.7, 1.0, 0.6, told=1.2)
 """Further limit for signs, such as icons: a bent one is soon a lump."""
+
+COLOURED = Hopeless(0.8, 0.26, 0.84, told=0.0)
+"""Limit for drawings of several colours of which much comes and goes: details that melt are seen at once."""
+
+ALONE = 0.2
+"""Minimum share of the shapes of a blend without a partner for much to come and go."""
 
 FEW = 8
 """Maximum number of contours of a blend of signs, with or without a partner."""
@@ -188,11 +190,6 @@ def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[Pen
     return grade >= least or grade + PER_LOOSE_END * loose_ends(shapes) >= least
 
 
-def is_flawed(shapes: Shapes, view: Box) -> bool:
-    """Return whether a blend of drawings of several colours is likely to be sent back: trees tell these apart best."""
-    return is_coloured(shapes) and is_faulty(shapes, view) and grade_of_shapes(shapes, view) >= FLAWED
-
-
 def is_hopeless(shapes: Shapes, view: Box) -> bool:
     """Return whether a blend of drawings that are not lines alone is worse than that they take each other's place.
 
@@ -203,7 +200,11 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     first, last = ink_of(shapes, view)
     covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
     told, bent = grade_of_shapes(shapes, view), _main_bending(shapes)
-    limits = (ANY, SIGNS) if covered < BADGED and _are_signs(shapes) else (ANY,)
+    limits = [ANY]
+    if covered < BADGED and _are_signs(shapes):
+        limits.append(SIGNS)
+    if is_coloured(shapes) and sum(not shape.is_matched for shape in shapes) >= ALONE * len(shapes):
+        limits.append(COLOURED)
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
 
