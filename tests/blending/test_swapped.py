@@ -17,6 +17,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     SIGNS,
     TOLD,
     TOLD_IF_BENT,
+    TOLD_IF_SIMPLE,
     TOLD_IF_SPLIT,
     WHOLLY,
     is_hopeless,
@@ -452,6 +453,7 @@ def test_the_largest_outline_says_how_much_is_bent():
     [
         ("play", "pause", TOLD_IF_SPLIT),
         ("menu", "x", np.inf),
+        ("menu", "check", TOLD_IF_SIMPLE),
         ("copy", "check", TOLD_IF_BENT),
         ("sun", "moon", TOLD),
     ],
