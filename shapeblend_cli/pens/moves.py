@@ -91,11 +91,11 @@ STUBBY = 1.95
 RINGS = 3.2
 """The same for a ring."""
 
-CROSSES = 3.6
+CROSSES = 6.0
 """The same for a line through the middle of another one, as in a plus."""
 
-SQUARE_CROSSES = 6.0
-"""The same if its ends are cut off: in its full width, a short one would be a square."""
+CHEVRONS = 4.0
+"""The same for a chevron."""
 
 
 class Move(NamedTuple):
@@ -377,8 +377,8 @@ def alone(
     if middle or meets[1] or not bends or _is_chevron(points, bends):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
-        crosses = SQUARE_CROSSES if line.style.stroke_linecap == "butt" else CROSSES
-        most = crosses if meets[1] else STUBBY
+        # The head of an arrow comes with its shaft, in its full width.
+        most = STUBBY if bool(bends) == meets[1] else CHEVRONS if bends else CROSSES
         move = moving(drawing, most=most, is_joined=bool(middle), is_early=is_early and not middle)
         return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes

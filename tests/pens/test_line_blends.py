@@ -319,7 +319,9 @@ def test_between_two_files_lines_move_straight_and_leave_no_dots():
     assert middle.style_b.stroke_width > 0.0  # the close sign is drawn over it
 
 
-@pytest.mark.parametrize("sign", ["M12 12h.01", "M10 12H14 M12 10V14"], ids=["dot", "plus"])
+@pytest.mark.parametrize(
+    "sign", ["M12 12h.01", "M7 12H17 M12 7V17", "M13 10L11 12L13 14"], ids=["dot", "plus", "chevron"]
+)
 def test_dots_and_small_signs_grow_in_width_too(sign):
     pen = 'fill="none" stroke="#000" stroke-width="2" stroke-linecap="round"'
     ends = [drawing(f'<path d="{path}" {pen}/>') for path in ("M4 4H20V20H4Z", f"M4 4H20V20H4Z {sign}")]
