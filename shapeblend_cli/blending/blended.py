@@ -107,8 +107,8 @@ def blend_shapes(
     if rotation:
         paired = pair_drawings(a, b, settings, rotation, progress)
         shapes, places = match_pairs(paired)
-        is_copy = is_rotated_copy([contour for shape in shapes for contour in shape.contours])
-        if is_copy and not turns_what_stays(a, b, rotation):
+        contours = [contour for shape in shapes for contour in shape.contours]
+        if is_rotated_copy(contours) and not turns_what_stays(a, b, contours):
             return _moved(paired, shapes, places, view)
     may_cross_out = settings.strokes != "recover" and not settings.is_star
     for outlined in _in_outlines(asked, pens) if may_cross_out else ():

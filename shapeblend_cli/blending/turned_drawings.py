@@ -17,6 +17,7 @@ from shapeblend_cli.blending.graded import BETTER, FINE, faults_of
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, points_at
 from shapeblend_cli.model import Box
+from shapeblend_cli.motion.alignment import align_contours
 from shapeblend_cli.motion.choose import candidate_of
 from shapeblend_cli.motion.rigid import Whole
 from shapeblend_cli.pairing.same import same_pairs
@@ -161,7 +162,9 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     for way in ways:
         if differ(turned=abs(way.angle) == quarter):
             continue
-        if stays.mean() > STAYS and not (way.angle and _rest(points[0][stays], way, near, lines[0])):
+        if stays.mean() > STAYS and not (
+            way.angle and _rest(partial(way.apply, points[0][stays]), near, lines[0])
+        ):
             continue
         there = near(way.apply(points[0]), lines[1])
         if there.mean() >= COPIED and near(way.undo(points[1]), lines[0]).mean() >= COPIED:
@@ -169,7 +172,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
     return None
 
 
-def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, angle: float) -> bool:
+def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, contours: Sequence[ContourBlend]) -> bool:
     """Return whether most of A has its place in B, but would leave it if A turned, as a switch does beside its knob.
 
     A single outline is no part beside others, and turns.
@@ -178,25 +181,26 @@ def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, angle: float) -> bool:
     ----------
     a, b : PlacedDrawing
         B is A turned as a whole.
-    angle : float
-        By this, in radians.
+    contours : sequence of ContourBlend
+        The drawings, matched.
     """
     if len(a.contours) == 1:
         return False
-    boxes = [Box.union([contour.box for contour in side.contours]) for side in (a, b)]
+    size = max(Box.union([contour.box for contour in side.contours]).larger_side for side in (a, b))
     lines, others = _lines(a), _lines(b)
-    near = partial(_are_near_lines, tolerance=NEAR * max(box.larger_side for box in boxes))
+    near = partial(_are_near_lines, tolerance=NEAR * size)
     points = _points(lines)
     stays = near(points, others)
-    way = Whole(boxes[0].centre, boxes[1].centre, angle)
-    return bool(stays.mean() > STAYS) and not _rest(points[stays], way, near, lines)
+    alignment = align_contours(contours)
+    offsets = points[stays] - alignment.centre_a
+    return bool(stays.mean() > STAYS) and not _rest(partial(alignment.apply, offsets), near, lines)
 
 
 def _rest(
-    points: ComplexArray, way: Whole, near: Callable[..., BoolArray], lines: Sequence[ComplexArray]
+    moved: Callable[[float], ComplexArray], near: Callable[..., BoolArray], lines: Sequence[ComplexArray]
 ) -> bool:
     """Return whether what is in place at both ends is so on the way, as a face is that turns upside down."""
-    return bool(min(near(way.apply(points, t), lines).mean() for t in (1 / 3, 1 / 2)) >= COPIED)
+    return bool(min(near(moved(t), lines).mean() for t in (1 / 3, 1 / 2)) >= COPIED)
 
 
 def _are_near_lines(points: ComplexArray, lines: Sequence[ComplexArray], tolerance: float) -> BoolArray:

@@ -18,7 +18,7 @@ from shapeblend_cli.pens.moves import Move, alike
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import ComplexArray
+    from shapeblend_cli.model import BoolArray, ComplexArray
     from shapeblend_cli.pens.line import PenLine
 
 LEAST_TURNED = 0.5
@@ -26,6 +26,15 @@ LEAST_TURNED = 0.5
 
 SAME_PLACE = 0.35
 """Maximum distance of lines that are in one place, in widths."""
+
+MOST_STAYS = 0.6
+"""Maximum share of lines that may leave their place in both drawings on the way, as a switch does beside its knob."""
+
+LEAST_RESTS = 0.85
+"""Minimum share of these that are in their place on the way, as a ring is around what turns."""
+
+STEP = 0.3
+"""Maximum distance of the points along lines that are compared, in units."""
 
 LEAST_COPIED = 0.9
 """Minimum share of lines that a turn or flip brings to their place for the drawing to be turned or flipped."""
@@ -59,12 +68,14 @@ def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
     if _covers(a, b, _outlines(a), LEAST_TURNED) and _covers_by_kind(a, b):
         return None
-    centre, target = centre_of(a), centre_of(b)
+    centre, target, stays = centre_of(a), centre_of(b), _staying(a, b)
     ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
     ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
     for way in ways:
         moving = [TurnedLine(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
         if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
+            continue
+        if stays is not None and ("axis" in way or not _rests(TurnedLine(stays, centre, target, **way), a)):  # type: ignore[arg-type]
             continue
         reason = FLIPPED if "axis" in way else TURNED
         nearest = _partners_of(moving, b)
@@ -235,11 +246,30 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
     there = _outlines(b)
     width = min(line.width for line in (*a, *b))
     for lines, others in ((moved, there), (there, moved)):
-        points = np.concatenate([evenly(line, 0.3) for line in lines])
+        points = np.concatenate([evenly(line, STEP) for line in lines])
         away = np.min([foot_points(points, other)[0] for other in others], axis=0)
         if np.mean(away < SAME_PLACE * width) < least or (least > LEAST_TURNED and away.max() > width):
             return False
     return True
+
+
+def _staying(a: Sequence[PenLine], b: Sequence[PenLine]) -> ComplexArray | None:
+    """Return points along what lines of A have in common with lines of B, if that is most of them."""
+    points = np.concatenate([evenly(line, STEP) for line in _outlines(a)])
+    near = _are_near(points, b, SAME_PLACE * min(line.width for line in (*a, *b)))
+    return points[near] if near.mean() > MOST_STAYS else None
+
+
+def _rests(points: TurnedLine, lines: Sequence[PenLine]) -> bool:
+    """Return whether points that turn are on some lines on the way, too."""
+    reach = SAME_PLACE * min(line.width for line in lines)
+    return all(_are_near(points.points(t), lines, reach).mean() >= LEAST_RESTS for t in (1 / 3, 1 / 2))
+
+
+def _are_near(points: ComplexArray, lines: Sequence[PenLine], reach: float) -> BoolArray:
+    """Return which points are within reach of any of some lines."""
+    near: BoolArray = np.min([foot_points(points, line)[0] for line in _outlines(lines)], axis=0) < reach
+    return near
 
 
 def _covers_by_kind(a: Sequence[PenLine], b: Sequence[PenLine]) -> bool:
