@@ -16,6 +16,7 @@ from shapeblend_cli.blending.swaps.unlike import (
     FAULTY,
     SIGNS,
     TOLD,
+    TOLD_IF_BARS,
     TOLD_IF_BENT,
     TOLD_IF_SIMPLE,
     TOLD_IF_SPLIT,
@@ -262,7 +263,7 @@ def test_it_is_told_once_with_the_way_out_and_not_if_asked_for(tmp_path, monkeyp
     monkeypatch.chdir(tmp_path)
     assert run([*files, "-n", "1"]) == 0
     said = capsys.readouterr().err
-    assert said.count("too little in common") == 1
+    assert said.count("would not blend well") == 1
     assert "--swap" in said
     for choice in ("always", "never"):
         assert run([*files, "-n", "1", "-f", "--swap", choice]) == 0
@@ -329,6 +330,23 @@ def test_a_bad_grade_bending_and_little_in_common_add_up(monkeypatch, files, lim
     assert is_hopeless(pair.shapes, pair.views[0])
     monkeypatch.setattr(unlike, "faults_of", lambda shapes, view: FAULTY - 0.01)
     assert not is_hopeless(pair.shapes, pair.views[0]), "what has no faults is not asked about"
+
+
+@pytest.mark.parametrize(("a", "b"), [("cat-face", "dog-face"), ("egg", "hatching-chick")])
+def test_a_face_that_would_melt_changes_over(a, b):
+    (pair,) = sb.blend(DRAWINGS / f"{a}.svg", DRAWINGS / f"{b}.svg").pairs
+    assert is_swapped(pair.shapes)
+
+
+@pytest.mark.parametrize("colour", ["#000", "#c00"])
+def test_a_sign_that_changes_its_colour_is_a_sign(colour):
+    house = '<path fill="#000" d="M12 3L21 11H18V21H6V11H3Z"/>'
+    cart = [
+        f'<path fill="{colour}" d="{path}"/>'
+        for path in ("M3 4H6L8 14H18L20 7H7Z", "M8 17H10V20H8Z", "M16 17H18V20H16Z")
+    ]
+    (pair,), _ = match_all([drawing(house), drawing(*cart)], Settings())
+    assert not is_swapped(pair.shapes)
 
 
 @pytest.mark.parametrize(("beyond", "is_worse"), [(0.0, True), (0.01, False)])
@@ -452,7 +470,7 @@ def test_the_largest_outline_says_how_much_is_bent():
     ("a", "b", "least"),
     [
         ("play", "pause", TOLD_IF_SPLIT),
-        ("menu", "x", np.inf),
+        ("menu", "x", TOLD_IF_BARS),
         ("menu", "check", TOLD_IF_SIMPLE),
         ("copy", "check", TOLD_IF_BENT),
         ("sun", "moon", TOLD),

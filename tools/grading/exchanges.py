@@ -37,10 +37,13 @@ def main() -> None:
     graded()
     columns = ["graders", "preferred", "told", "bent", "covered"]
     preferred("signs", SIGNS, *_columns(OF_SIGNS, columns))
-    *found, alone = _columns(OF_COLOURS, [*columns, "alone"])
-    preferred("coloured drawings", COLOURED, *(column[alone >= ALONE] for column in found))
-    kept = np.average(found[1][alone < ALONE], weights=found[0][alone < ALONE])
-    print(f"where less than {ALONE} of the shapes come or go, {kept:.2f} prefer the exchange")
+    *values, alone = _columns(OF_COLOURS, [*columns, "alone"])
+    preferred("coloured drawings", COLOURED, *(column[alone >= ALONE] for column in values))
+    rest = [column[alone < ALONE] for column in values[:2]]
+    share = np.average(rest[1], weights=rest[0])
+    print(
+        f"where less than {ALONE} of the shapes come or go, {share:.2f} of {len(rest[1])} prefer the exchange"
+    )
 
 
 def graded() -> None:

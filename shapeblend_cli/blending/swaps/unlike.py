@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.blending.graded import faults_of, grade_of_shapes, in_full_width, seen_of
-from shapeblend_cli.blending.parts.paced import is_coloured
+from shapeblend_cli.blending.graded import SWAP_GRADE, faults_of, grade_of_shapes, in_full_width, seen_of
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
 from shapeblend_cli.geometry import cubics
@@ -55,6 +54,9 @@ TOLD_IF_BENT = 1.05
 TOLD_IF_SIMPLE = 1.6
 """The same where most of one drawing lies on the other one, or where all lines are simple: these can be read."""
 
+TOLD_IF_BARS = 2.0
+"""The same where all lines are bars, and few: what goes straight is read in any case."""
+
 TOLD_IF_SPLIT = 1.8
 """The same where all lines split, join, come or go: trees do not know that they are to do so."""
 
@@ -68,7 +70,7 @@ MOST_LOOSE = 2
 """Maximum number of loose ends that make a difference."""
 
 LEG = 0.98
-"""Minimum length of both legs of a bar or a chevron together, as a share of the length of the line."""
+"""Minimum length of a bar, or of both legs of a chevron together, as a share of the length of the line."""
 
 ROUND = 0.9
 """Minimum area of a ring that is a circle, as a share of that of a circle as long."""
@@ -106,8 +108,8 @@ ANY = Hopeless(1.4, 0.26, 0.84, told=0.0)
 SIGNS = Hopeless(1.7, 1.0, 0.6, told=1.2)
 """Further limit for signs, such as icons: a bent one is soon a lump."""
 
-COLOURED = Hopeless(0.8, 0.26, 0.84, told=0.0)
-"""Limit for drawings of several colours of which much comes and goes: details that melt are seen at once."""
+COLOURED = Hopeless(0.8, 0.26, 0.84, told=SWAP_GRADE)
+"""Further limit for drawings of several colours of which much comes and goes: details that melt stand out."""
 
 ALONE = 0.2
 """Minimum share of the shapes of a blend without a partner for much to come and go."""
@@ -203,7 +205,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     limits = [ANY]
     if covered < BADGED and _are_signs(shapes):
         limits.append(SIGNS)
-    if is_coloured(shapes) and sum(not shape.is_matched for shape in shapes) >= ALONE * len(shapes):
+    if _has_colours(shapes) and sum(not shape.is_matched for shape in shapes) >= ALONE * len(shapes):
         limits.append(COLOURED)
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
@@ -229,10 +231,24 @@ def ink_of(shapes: Shapes, view: Box) -> tuple[PictureArray, PictureArray]:
 
 def _are_signs(shapes: Shapes) -> bool:
     """Return whether a blend has few contours, and a single colour."""
-    if sum(len(shape.contours) for shape in shapes) > FEW or is_coloured(shapes):
+    if sum(len(shape.contours) for shape in shapes) > FEW or _has_colours(shapes):
         return False
     styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
     return not any(style.fill_gradient or style.stroke_gradient for style in styles)
+
+
+def _has_colours(shapes: Shapes) -> bool:
+    """Return whether either drawing has several colours; a sign that only changes its colour has one."""
+    sides = [
+        {
+            paint.colour
+            for shape in shapes
+            if shape.sources[side] is not None
+            for paint in shape.style(side).paints
+        }
+        for side in (0, 1)
+    ]
+    return any(len(colours - {None}) > 1 for colours in sides)
 
 
 def _is_turned_copy(shape: ShapeBlend) -> bool:
@@ -288,7 +304,7 @@ def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLi
     every = (*lines, *others)
     if len(every) > MOST_SIMPLE or not all(map(_is_simple, every)):
         return TOLD
-    return np.inf if all(map(_is_bar, every)) else TOLD_IF_SIMPLE
+    return TOLD_IF_BARS if all(map(_is_bar, every)) else TOLD_IF_SIMPLE
 
 
 def _is_bar(line: PenLine) -> bool:
