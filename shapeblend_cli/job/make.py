@@ -243,11 +243,11 @@ def _say_if_swapped(job: Job, run: Run, note: Callable[[str], None]) -> None:
     for pair in run.pairs:
         if is_swapped(pair.shapes):
             how = (
-                "would not blend well, so they change over half way, where their silhouettes meet"
+                "they change over half way, where their silhouettes meet"
                 if is_reshaped(pair.shapes)
-                else "too little in common for a blend, so one shrinks and the other grows"
+                else "one shrinks and the other grows"
             )
-            note(f"{_files(job, pair)}: {how}; see --swap")
+            note(f"{_files(job, pair)}: would not blend well, so {how}; see --swap")
 
 
 def _say_if_poor(job: Job, run: Run, note: Callable[[str], None], *, is_read: bool) -> None:

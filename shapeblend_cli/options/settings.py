@@ -226,8 +226,8 @@ class Settings(WorkConstants, section=CORRESPONDENCE):
         default="auto",
         section=IN_BETWEENS,
         help="Let the first drawing shrink away, and the second one grow in its place, instead of a blend. auto: icons "
-        "drawn with a pen whose lines have too little in common, such as a gear and a cross, and other drawings whose "
-        "blend would be unreadable; where silhouettes are alike, they change over half way, and where one icon is the "
+        "drawn with a pen whose lines have too little in common, such as a gear and a cross, and other drawings that "
+        "would not blend well; where silhouettes are alike, they change over half way, and where one icon is the "
         "other one filled, a level rises between them. Not with --match, --pin, "
         "--stiff or another --motion than auto, nor with --place asis for drawings without pen lines. Mixtures, and "
         "shapes with times of their own, are always blended.",

@@ -40,7 +40,7 @@ LEAVING = GONE * STEPS
 COMING = COMES + (1.0 - COMES) * STEPS
 """Times of these steps for the drawing that comes."""
 
-SWAPPED = "the drawings have too little in common, so one takes the other's place"
+SWAPPED = "the drawings would not blend well, so one takes the other's place"
 RESHAPED = "the drawings change over half way, where their silhouettes meet"
 ASKED = "one drawing takes the other's place, as asked"
 FILLED = "one drawing is the other one filled, so a level moves in it"
