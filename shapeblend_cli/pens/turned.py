@@ -27,7 +27,7 @@ LEAST_TURNED = 0.5
 SAME_PLACE = 0.35
 """Maximum distance of lines that are in one place, in widths."""
 
-MOST_STAYS = 0.6
+MOST_STAYS = 0.7
 """Maximum share of lines that may leave their place in both drawings on the way, as a switch does beside its knob."""
 
 LEAST_RESTS = 0.85
