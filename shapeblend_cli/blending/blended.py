@@ -180,9 +180,8 @@ def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool, may_fill: bool) -
 
 def _are_as_large(asked: _Asked) -> bool:
     """Return whether the boxes around both drawings are one, nearly."""
-    boxes = [Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in asked[:2]]
-    away = max(abs(x - y) for x, y in zip(boxes[0].bounds, boxes[1].bounds, strict=True))
-    return away <= AWAY * asked.view.larger_side
+    a, b = (Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in asked[:2])
+    return a.apart(b) <= AWAY * asked.view.larger_side
 
 
 def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:

@@ -45,6 +45,10 @@ SAME_SIZE = 0.12
 STAYS = 0.6
 """Minimum share of points that are in the other drawing as it is for these to rest on the way, too."""
 
+ENCLOSED = 0.05
+"""Maximum distance of the sides of the box around what stays from those of the drawing's box, as a share of its smaller
+side, for what stays to enclose the rest."""
+
 MOST_STAYS = 0.9
 """Maximum share of points that are in the other drawing as it is for the drawing to be turned."""
 
@@ -173,9 +177,9 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
 
 
 def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, contours: Sequence[ContourBlend]) -> bool:
-    """Return whether most of A has its place in B, but would leave it if A turned, as a switch does beside its knob.
+    """Return whether what encloses A is in B, too, but would leave its place if A turned: a switch around its knob.
 
-    A single outline is no part beside others, and turns.
+    That is asked of strokes only: fills would rather be torn than turned.
 
     Parameters
     ----------
@@ -184,16 +188,19 @@ def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, contours: Sequence[Cont
     contours : sequence of ContourBlend
         The drawings, matched.
     """
-    if len(a.contours) == 1:
+    if len(a.contours) == 1 or any(contour.style.fill is not None for contour in a.contours):
         return False
-    size = max(Box.union([contour.box for contour in side.contours]).larger_side for side in (a, b))
+    box = Box.union([contour.box for contour in a.contours])
     lines, others = _lines(a), _lines(b)
-    near = partial(_are_near_lines, tolerance=NEAR * size)
+    near = partial(_are_near_lines, tolerance=NEAR * box.larger_side)
     points = _points(lines)
-    stays = near(points, others)
+    staying = points[near(points, others)]
+    if len(staying) <= STAYS * len(points) or box.apart(Box.around(staying)) > ENCLOSED * min(
+        box.width, box.height
+    ):
+        return False
     alignment = align_contours(contours)
-    offsets = points[stays] - alignment.centre_a
-    return bool(stays.mean() > STAYS) and not _rest(partial(alignment.apply, offsets), near, lines)
+    return not _rest(partial(alignment.apply, staying - alignment.centre_a), near, lines)
 
 
 def _rest(

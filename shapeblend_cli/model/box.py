@@ -84,6 +84,10 @@ class Box(NamedTuple):
         x0, y0, x1, y1 = other.bounds
         return left < x1 and x0 < right and top < y1 and y0 < bottom
 
+    def apart(self, other: Box) -> float:
+        """Return the largest distance between a side and that of another box."""
+        return max(abs(x - y) for x, y in zip(self.bounds, other.bounds, strict=True))
+
     def intersection(self, other: Box) -> float:
         """Return the area common to two boxes."""
         left, top, right, bottom = self.bounds

@@ -33,6 +33,10 @@ MOST_STAYS = 0.7
 LEAST_RESTS = 0.85
 """Minimum share of these that are in their place on the way, as a ring is around what turns."""
 
+ENCLOSED = 0.05
+"""Maximum distance of the sides of the box around what stays from those of the drawing's box, as a share of its smaller
+side, for what stays to enclose the rest."""
+
 STEP = 0.3
 """Maximum distance of the points along lines that are compared, in units."""
 
@@ -254,10 +258,13 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
 
 
 def _staying(a: Sequence[PenLine], b: Sequence[PenLine]) -> ComplexArray | None:
-    """Return points along what lines of A have in common with lines of B, if that is most of them."""
+    """Return points along what lines of A have in common with lines of B, if that is most of them, and encloses all."""
     points = np.concatenate([evenly(line, STEP) for line in _outlines(a)])
-    near = _are_near(points, b, SAME_PLACE * min(line.width for line in (*a, *b)))
-    return points[near] if near.mean() > MOST_STAYS else None
+    staying = points[_are_near(points, b, SAME_PLACE * min(line.width for line in (*a, *b)))]
+    if len(staying) <= MOST_STAYS * len(points):
+        return None
+    box = Box.around(points)
+    return staying if box.apart(Box.around(staying)) <= ENCLOSED * min(box.width, box.height) else None
 
 
 def _rests(points: TurnedLine, lines: Sequence[PenLine]) -> bool:

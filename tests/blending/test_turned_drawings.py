@@ -122,6 +122,7 @@ def strokes(*paths, turned=0):
 IN_PIECES = ["M7 17h10a5 5 0 0 0 0-10H7", "M7 17A5 5 0 0 0 7 7", "M7 17a5 5 0 0 1-5-5a5 5 0 0 1 5-5"]
 RINGED = ["M8 6H16A6 6 0 0 1 16 18H8", "M8 6A6 6 0 0 0 8 18A6 6 0 0 0 8 6Z"]
 REFRESH = ["M20 12A8 8 0 1 1 17.600 6.300M20 3V8H15"]
+ARROW = ["M12 17V3", "M15 6L12 3L9 6", "M12 17A2 2 0 1 0 12 21A2 2 0 0 0 12 17Z"]
 GAUGE = ["M4 18A10 10 0 1 1 20 18", "M12 14L17 9"]
 
 
@@ -132,6 +133,12 @@ def test_a_switch_stays_where_it_is_as_its_knob_goes_to_the_other_side(switch):
         control_box([path for shape in pair.shapes for path in paths_at(shape, t)]) for t in (0.0, 0.3, 0.5)
     ]
     assert all(box.height < 0.8 * box.width for box in boxes)
+
+
+def test_an_arrow_whose_shaft_stays_turns():
+    (pair,), _ = match_all([strokes(*ARROW), strokes(*ARROW, turned=180)], Settings())
+    box = control_box([path for shape in pair.shapes for path in paths_at(shape, 0.5)])
+    assert box.width > 2.0 * box.height
 
 
 @pytest.mark.parametrize("degrees", [45, 90])
