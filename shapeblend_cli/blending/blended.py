@@ -181,7 +181,7 @@ def _finished(asked: _Asked, usual: Shapes, *, may_swap: bool, may_fill: bool) -
 def _are_as_large(asked: _Asked) -> bool:
     """Return whether the boxes around both drawings are one, nearly."""
     a, b = (Box.union([c.box.expanded(c.style.reach) for c in side.contours]) for side in asked[:2])
-    return a.apart(b) <= AWAY * asked.view.larger_side
+    return a.sides_apart(b) <= AWAY * asked.view.larger_side
 
 
 def _exchanged(asked: _Asked, shapes: Shapes) -> Shapes:

@@ -45,10 +45,6 @@ SAME_SIZE = 0.12
 STAYS = 0.6
 """Minimum share of points that are in the other drawing as it is for these to rest on the way, too."""
 
-ENCLOSED = 0.05
-"""Maximum distance of the sides of the box around what stays from those of the drawing's box, as a share of its smaller
-side, for what stays to enclose the rest."""
-
 MOST_STAYS = 0.9
 """Maximum share of points that are in the other drawing as it is for the drawing to be turned."""
 
@@ -179,7 +175,7 @@ def way_between(a: PlacedDrawing, b: PlacedDrawing) -> Whole | None:
 def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, contours: Sequence[ContourBlend]) -> bool:
     """Return whether what encloses A is in B, too, but would leave its place if A turned: a switch around its knob.
 
-    That is asked of strokes only: fills would rather be torn than turned.
+    Only strokes are asked about: fills that did not turn would be torn.
 
     Parameters
     ----------
@@ -195,9 +191,7 @@ def turns_what_stays(a: PlacedDrawing, b: PlacedDrawing, contours: Sequence[Cont
     near = partial(_are_near_lines, tolerance=NEAR * box.larger_side)
     points = _points(lines)
     staying = points[near(points, others)]
-    if len(staying) <= STAYS * len(points) or box.apart(Box.around(staying)) > ENCLOSED * min(
-        box.width, box.height
-    ):
+    if len(staying) <= STAYS * len(points) or not box.is_enclosed_by(staying):
         return False
     alignment = align_contours(contours)
     return not _rest(partial(alignment.apply, staying - alignment.centre_a), near, lines)

@@ -11,6 +11,9 @@ if TYPE_CHECKING:
 
     from shapeblend_cli.model.arrays import BoolArray, ComplexArray
 
+ENCLOSING = 0.05
+"""Maximum distance of points from the sides of a box that they enclose, as a share of its smaller side."""
+
 
 class Box(NamedTuple):
     """An axis-parallel box: a viewBox, or the bounds of a drawing."""
@@ -84,7 +87,11 @@ class Box(NamedTuple):
         x0, y0, x1, y1 = other.bounds
         return left < x1 and x0 < right and top < y1 and y0 < bottom
 
-    def apart(self, other: Box) -> float:
+    def is_enclosed_by(self, points: ComplexArray) -> bool:
+        """Return whether points reach all sides of the box, nearly."""
+        return self.sides_apart(Box.around(points)) <= ENCLOSING * min(self.width, self.height)
+
+    def sides_apart(self, other: Box) -> float:
         """Return the largest distance between a side and that of another box."""
         return max(abs(x - y) for x, y in zip(self.bounds, other.bounds, strict=True))
 

@@ -95,7 +95,7 @@ CROSSES = 6.0
 """The same for a line through the middle of another one, as in a plus."""
 
 CHEVRONS = 4.0
-"""The same for a chevron."""
+"""The same for a chevron by itself."""
 
 
 class Move(NamedTuple):
@@ -377,8 +377,8 @@ def alone(
     if middle or meets[1] or not bends or _is_chevron(points, bends):
         span = _span(middle[0], is_new=is_new) if middle else (0.0, 1.0)
         drawing = Drawing(points, *shares, from_middle=True, span=span)
-        # The head of an arrow comes with its shaft, in its full width.
-        most = STUBBY if bool(bends) == meets[1] else CHEVRONS if bends else CROSSES
+        # A bar has its full width; so has the head of an arrow, which comes with its shaft.
+        most = CHEVRONS if bends and not meets[1] else CROSSES if meets[1] and not bends else STUBBY
         move = moving(drawing, most=most, is_joined=bool(middle), is_early=is_early and not middle)
         return [_carried(move, middle, places[1]) if middle else move]
     if points[0].real > points[-1].real:  # as one writes

@@ -27,15 +27,11 @@ LEAST_TURNED = 0.5
 SAME_PLACE = 0.35
 """Maximum distance of lines that are in one place, in widths."""
 
-MOST_STAYS = 0.7
-"""Maximum share of lines that may leave their place in both drawings on the way, as a switch does beside its knob."""
+MOST_LEAVES = 0.7
+"""Maximum share of lines that are in place in both drawings, around the rest, for them to leave it on the way."""
 
 LEAST_RESTS = 0.85
-"""Minimum share of these that are in their place on the way, as a ring is around what turns."""
-
-ENCLOSED = 0.05
-"""Maximum distance of the sides of the box around what stays from those of the drawing's box, as a share of its smaller
-side, for what stays to enclose the rest."""
+"""Minimum share of such lines that is in place on the way for more of them to turn, as a ring around what turns."""
 
 STEP = 0.3
 """Maximum distance of the points along lines that are compared, in units."""
@@ -258,13 +254,12 @@ def _covers(a: Sequence[PenLine], b: Sequence[PenLine], moved: Sequence[ComplexA
 
 
 def _staying(a: Sequence[PenLine], b: Sequence[PenLine]) -> ComplexArray | None:
-    """Return points along what lines of A have in common with lines of B, if that is most of them, and encloses all."""
+    """Return points along A's lines where B's lie, too; None if that is not most of them, or not around the rest."""
     points = np.concatenate([evenly(line, STEP) for line in _outlines(a)])
     staying = points[_are_near(points, b, SAME_PLACE * min(line.width for line in (*a, *b)))]
-    if len(staying) <= MOST_STAYS * len(points):
+    if len(staying) <= MOST_LEAVES * len(points):
         return None
-    box = Box.around(points)
-    return staying if box.apart(Box.around(staying)) <= ENCLOSED * min(box.width, box.height) else None
+    return staying if Box.around(points).is_enclosed_by(staying) else None
 
 
 def _rests(points: TurnedLine, lines: Sequence[PenLine]) -> bool:

@@ -117,7 +117,7 @@ def test_other_blends_that_look_the_same_are_not_offered(here):
         (here / f"{name}.svg").write_bytes((ROOT / "docs" / "studio" / f"{drawing}.svg").read_bytes())
     order = Order("others", project_of({"files": ["a.svg", "b.svg"]}, "", ""), {})
     names = {one["name"] for one in answers.do(order)}
-    assert {"As it is", "Parts split and join", "B in the frame of A"} <= names
+    assert {"As it is", "B in the frame of A"} <= names
     assert "Points may go far" not in names  # a line's width off at most
 
 

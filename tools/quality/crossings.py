@@ -62,7 +62,7 @@ The tools:
 - shapeblend: its command, told the number of frames and nothing else, so that it chooses how shapes move: by
   looking for crossings itself, at these times among others. Measured are the frame files it writes, rounding included;
   a contour with curves in about 2000 pieces. Where it moves icons as pen lines, their strokes count as the outlines of
-  all that they paint together. Drawings with too little in common [take each other's
+  all that they paint together. Drawings that would not blend well [take each other's
   place](motion.md#drawings-with-too-little-in-common): one shrinks and the other grows. So do most of the pairs of two
   to five contours. These cross nothing, and count as below 70 % of the area.
 - flubber, KUTE.js and polymorph are libraries for web pages, run in node. All three have the MIT licence, and npm

@@ -78,7 +78,7 @@ def with_parts_paced(
 
 
 def is_coloured(shapes: Sequence[ShapeBlend]) -> bool:
-    """Return whether there are several colours."""
+    """Return whether there are several colours in both drawings together."""
     paints = {
         paint.colour for shape in shapes for style in (shape.style_a, shape.style_b) for paint in style.paints
     }

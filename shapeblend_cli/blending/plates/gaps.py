@@ -140,7 +140,7 @@ def _holds(outer: PlacedContour, inner: PlacedContour) -> bool:
 
 def _are_in_place(p: PlacedContour, q: PlacedContour, most: float) -> bool:
     """Return whether the mean distance of two contours is small enough for them to be in one place."""
-    if p.box.apart(q.box) > 2.0 * most:
+    if p.box.sides_apart(q.box) > 2.0 * most:
         return False
     lines = p.polygon.line, q.polygon.line
     apart = max(float(nearest_places(one, other)[0].mean()) for one, other in (lines, lines[::-1]))

@@ -1,1 +1,1 @@
-"""One drawing takes the place of another one with which it has too little in common: when, and how."""
+"""One drawing takes the place of another one if they would not blend well: when, and how."""

@@ -205,7 +205,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     limits = [ANY]
     if covered < BADGED and _are_signs(shapes):
         limits.append(SIGNS)
-    if _has_colours(shapes) and sum(not shape.is_matched for shape in shapes) >= ALONE * len(shapes):
+    if _either_has_colours(shapes) and sum(not shape.is_matched for shape in shapes) >= ALONE * len(shapes):
         limits.append(COLOURED)
     return any(limit.is_reached(told, covered, bent) for limit in limits)
 
@@ -230,14 +230,14 @@ def ink_of(shapes: Shapes, view: Box) -> tuple[PictureArray, PictureArray]:
 
 
 def _are_signs(shapes: Shapes) -> bool:
-    """Return whether a blend has few contours, and a single colour."""
-    if sum(len(shape.contours) for shape in shapes) > FEW or _has_colours(shapes):
+    """Return whether a blend has few contours, and each drawing one colour."""
+    if sum(len(shape.contours) for shape in shapes) > FEW or _either_has_colours(shapes):
         return False
     styles = [style for shape in shapes for style in (shape.style_a, shape.style_b)]
     return not any(style.fill_gradient or style.stroke_gradient for style in styles)
 
 
-def _has_colours(shapes: Shapes) -> bool:
+def _either_has_colours(shapes: Shapes) -> bool:
     """Return whether either drawing has several colours; a sign that only changes its colour has one."""
     sides = [
         {
@@ -293,6 +293,10 @@ def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLi
     """Return the grade from which on drawings that are mostly lines make room for each other, of a blend of these."""
     from shapeblend_cli.pens.splits import COPY  # most drawings are no signs
 
+    every = (*lines, *others)
+    is_few = len(every) <= MOST_SIMPLE
+    if is_few and all(map(_is_bar, every)):
+        return TOLD_IF_BARS
     is_bent, is_like = _is_bent(shapes), _is_covered(lines, others) or _is_covered(others, lines)
     becoming = [shape.reason for shape in shapes if shape.is_matched]
     if becoming and all(reason == COPY for reason in becoming) and (is_like or not is_bent):
@@ -301,10 +305,7 @@ def _least_told(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLi
         return TOLD_IF_SIMPLE
     if is_bent:
         return TOLD_IF_BENT
-    every = (*lines, *others)
-    if len(every) > MOST_SIMPLE or not all(map(_is_simple, every)):
-        return TOLD
-    return TOLD_IF_BARS if all(map(_is_bar, every)) else TOLD_IF_SIMPLE
+    return TOLD_IF_SIMPLE if is_few and all(map(_is_simple, every)) else TOLD
 
 
 def _is_bar(line: PenLine) -> bool:
