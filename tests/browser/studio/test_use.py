@@ -681,7 +681,7 @@ def test_the_end_of_a_pin_is_nudged_by_arrow_keys_and_all_nudges_are_undone_toge
 def test_the_verdict_points_at_parts_and_what_helps(studio, here):
     for name in ("car.svg", "bus.svg"):
         (here / name).write_bytes((ROOT / "docs" / "studio" / name).read_bytes())
-    page = studio("car.svg", "bus.svg")
+    page = studio("car.svg", "bus.svg", swap="never")
     place = page.locator(".place", has_text="Part 11 of B")
     assert place.inner_text() == "Part 11 of B comes from nothing: pair it"
     place.hover()
