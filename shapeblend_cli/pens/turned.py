@@ -68,13 +68,14 @@ def as_whole(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Move] | None:
     """Turn or flip a drawing as a whole, if that gives the other one; None if it does not, or if much stays."""
     if _covers(a, b, _outlines(a), LEAST_TURNED) and _covers_by_kind(a, b):
         return None
-    centre, target, stays = centre_of(a), centre_of(b), _staying(a, b)
+    centre, target = centre_of(a), centre_of(b)
     ways: list[dict[str, complex]] = [{"angle": np.pi / 2}, {"angle": -np.pi / 2}, {"angle": np.pi}]
     ways += [{"axis": 1.0 + 0j}, {"axis": 1j}]
     for way in ways:
         moving = [TurnedLine(points, centre, target, **way) for points in _outlines(a)]  # type: ignore[arg-type]
         if not _covers(a, b, [each.points(1.0) for each in moving], LEAST_COPIED):
             continue
+        stays = _staying(a, b)
         if stays is not None and ("axis" in way or not _rests(TurnedLine(stays, centre, target, **way), a)):  # type: ignore[arg-type]
             continue
         reason = FLIPPED if "axis" in way else TURNED
