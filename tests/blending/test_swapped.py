@@ -212,6 +212,7 @@ def test_one_of_both_is_large_nearly_all_the_time_and_never_both():
     assert sum(max(both) < 0.3 for both in sizes) <= 10, "in a tenth of the time"
     assert max(map(min, sizes)) < 0.15, "both together would be a lump"
     assert max(sizes[50]) > 0.75, "half way one is nearly as large as it will be"
+    assert 0.6 < sizes[33][0] < 0.8, "it is seen to shrink, else the change would be a cut"
 
 
 @pytest.mark.parametrize(
@@ -242,8 +243,9 @@ def test_a_view_that_changes_makes_a_drawing_no_smaller_than_it_has_to_be(tmp_pa
     wide, narrow = (drawing(f'<path d="M1 4H{x - 1}V20H1z"/>', viewbox=f"0 0 {x} 24") for x in (24, width))
     for ends, leaves in ((wide, narrow), True), ((narrow, wide), False):
         (pair,) = sb.blend(*ends, swap="always").pairs
-        needed = [(1.0 - t) + t * (width - 2) / 22 for t in (0.1, 0.2, 0.3)]
-        sizes = [sizes_at(pair, t if leaves else 1.0 - t)[not leaves] for t in (0.1, 0.2, 0.3)]
+        times = (0.05, 0.1, 0.2) if leaves else (0.95, 0.9, 0.8, 0.7)  # until it would shrink by itself
+        needed = [(1.0 - t if leaves else t) + (t if leaves else 1.0 - t) * (width - 2) / 22 for t in times]
+        sizes = [sizes_at(pair, t)[not leaves] for t in times]
         assert all(size >= 0.95 * least for size, least in zip(sizes, needed, strict=True))
 
 

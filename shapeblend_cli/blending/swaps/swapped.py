@@ -28,8 +28,11 @@ COMES = 0.445
 KNOTS = 12
 """Number of even steps of which the pace of a drawing is made."""
 
-SNAP = 16
-"""Power of the time by which a drawing shrinks, and backwards grows: large for long, and small for moments only."""
+SHRINKS = 4
+"""Power of the time by which a drawing shrinks: slowly enough for that to be seen, else the change would be a cut."""
+
+GROWS = 15
+"""Power by which a drawing grows, backwards in time: it is soon as large as the other one was when last seen."""
 
 STEPS = np.arange(KNOTS + 1) / KNOTS
 """Even shares of the time that a drawing takes to leave or to come."""
@@ -119,15 +122,15 @@ def _distances(box: Box, centre: complex) -> FloatArray:
 
 
 def _leaving(rooms: FloatArray) -> tuple[tuple[float, float], ...]:
-    """Return the pace of a drawing that shrinks away: ever faster, so that it is large for most of its time.
+    """Return the pace of a drawing that shrinks away: ever faster.
 
     It shrinks early where there is no room for it.
     """
-    shrunk = np.maximum(STEPS**SNAP, 1.0 - rooms)
+    shrunk = np.maximum(STEPS**SHRINKS, 1.0 - rooms)
     return (*zip(LEAVING.tolist(), shrunk.tolist(), strict=True), (1.0, 1.0))
 
 
 def _coming(rooms: FloatArray) -> tuple[tuple[float, float], ...]:
     """Return the pace of a drawing that grows: ever slower, and into no more room than there is."""
-    grown = np.minimum(1.0 - (1.0 - STEPS) ** SNAP, rooms)
+    grown = np.minimum(1.0 - (1.0 - STEPS) ** GROWS, rooms)
     return ((0.0, 0.0), *zip(COMING.tolist(), grown.tolist(), strict=True))
