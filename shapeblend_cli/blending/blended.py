@@ -19,6 +19,7 @@ from shapeblend_cli.blending.plates.plain import is_plain
 from shapeblend_cli.blending.plates.slots import with_slots_closed
 from shapeblend_cli.blending.strokes.brushed import with_brushes
 from shapeblend_cli.blending.strokes.expanded import all_outlines, with_outlines
+from shapeblend_cli.blending.strokes.loose import loose_lines
 from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
@@ -33,7 +34,7 @@ from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
 from shapeblend_cli.pairing.costs import Rates
-from shapeblend_cli.pens.drawings import MOST_LINES, pen_drawing
+from shapeblend_cli.pens.drawings import MOST_LINES, enough_lines, pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
 
@@ -205,9 +206,7 @@ def _in_outlines(
     yield asked.a, asked.b
     if pens is None or not any(pen.bodies for pen in pens):
         return
-    from shapeblend_cli.pens.slashes import is_slash  # many drawings have no lines
-
-    if any(is_slash(line) for pen in pens for line in pen.lines):
+    if any(line.is_slash for pen in pens for line in pen.lines):
         outlined = all_outlines(*asked.drawn)
         if outlined is not None:
             yield outlined
@@ -333,9 +332,14 @@ def _lines(asked: _Asked, pens: tuple[PenDrawing, PenDrawing] | None) -> LineBle
     """Return how the pen lines of two drawings become each other, if they are blended by these."""
     if pens is None:
         return None
-    from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have no lines
+    a, b, settings, view, _ = asked
+    scale, is_asked = UNITS / view.larger_side, settings.strokes == "recover"
+    enough = enough_lines(a, b, pens, scale, is_asked=is_asked)
+    if enough is None:
+        return None
+    from shapeblend_cli.pens.line_blends import blend_lines  # many drawings have few lines
 
-    return blend_lines(asked.a, asked.b, pens, asked.settings, UNITS / asked.view.larger_side)
+    return blend_lines(a, b, enough, settings, scale)
 
 
 def with_lines_in_common(pairs: Sequence[Pair], a: PlacedDrawing) -> list[Pair] | None:
@@ -360,21 +364,9 @@ def _blended_and_paced(paired: PairedDrawings, view: Box) -> Shapes:
 def _moved(paired: PairedDrawings, shapes: Shapes, places: list[Place], view: Box) -> Shapes:
     """Return matched shapes that move, in the order of paint."""
     moving: Sequence[ShapeBlend] = with_reasons(move_shapes(paired, shapes, view), paired)
-    if _draws_strokes(paired):
-        from shapeblend_cli.blending.strokes.drawn import with_drawn_strokes
+    scale = UNITS / view.larger_side
+    if loose := loose_lines(paired, moving, scale):
+        from shapeblend_cli.blending.strokes.drawn import with_drawn_strokes  # few drawings have such lines
 
-        moving, places = with_drawn_strokes(paired, moving, places, view)
+        moving, places = with_drawn_strokes(moving, places, loose, paired.settings.constants, scale)
     return in_paint_order(moving, places)
-
-
-def _draws_strokes(paired: PairedDrawings) -> bool:
-    """Return whether strokes and slashes without a partner may be drawn on and back."""
-    settings = paired.settings
-    is_free = settings.is_free and settings.unmatched == "auto" and not paired.rotation
-    if not is_free or not wants_lines(settings) or paired.copies is not None:
-        return False
-    return any(
-        each.style.stroke is not None or each.is_slender
-        for side in (paired.a, paired.b)
-        for each in side.contours
-    )

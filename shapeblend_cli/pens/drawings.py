@@ -14,8 +14,8 @@ from shapeblend_cli.geometry.flatten import flatten
 from shapeblend_cli.geometry.polygons import polyline_contour, signed_area
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.model import Box
-from shapeblend_cli.model.arrays import rolled
-from shapeblend_cli.pens.joints import joined
+from shapeblend_cli.model.arrays import median, rolled
+from shapeblend_cli.pens.joints import joined, with_pieces
 from shapeblend_cli.pens.line import UNITS, PenDrawing, PenLine, length
 from shapeblend_cli.pens.recovery.recover import recover
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour
-    from shapeblend_cli.model import ComplexArray, CubicPath, Drawing
+    from shapeblend_cli.model import ComplexArray, Contour, CubicPath, Drawing
     from shapeblend_cli.pens.recovery.region import Recovered
 
 CURVE_POINTS = 12
@@ -55,6 +55,18 @@ MITER_LIMIT = 4.0
 
 MITER_ROOM = 1.02
 """Miter limit, as a multiple of what the sharpest corner needs: with more, kinks on the way would grow spikes."""
+
+LEAST_INK = 0.1
+"""Minimum share of the ink of a drawing of one colour in its lines."""
+
+LEAST_OF_PICTURE = 0.45
+"""Minimum share of the ink of a drawing of several colours in its lines: these go along with what they surround."""
+
+CORNER = np.radians(20.0)
+"""Minimum turn at a corner of an outline, in radians."""
+
+SAME_WEIGHT = 0.97
+"""Minimum ratio of the widths of two drawings in one weight of line."""
 
 
 def file_lines(drawing: Drawing) -> list[PenLine]:
@@ -257,3 +269,52 @@ def _rest(polygon: ComplexArray, exterior: PlacedContour, vertices: int) -> Plac
     share = length(np.append(polygon, polygon[0])) / max(length(exterior.polygon.vertices), 1e-12)
     flat = flatten(contour, max(LEAST_VERTICES, int(share * vertices)))
     return exterior._replace(contour=contour, polygon=flat, role=EXTERIOR, exterior=None)
+
+
+def enough_lines(
+    a: PlacedDrawing, b: PlacedDrawing, pens: tuple[PenDrawing, PenDrawing], scale: float, *, is_asked: bool
+) -> tuple[PenDrawing, PenDrawing] | None:
+    """Return two drawings as pen lines, each with pieces of the other one's, if there are enough, or that is asked for.
+
+    `scale` is the number of units that a length of 1 has.
+    """
+    first, last = pens
+    if max(len(first.lines), len(last.lines)) > MOST_LINES:  # pieces come on top
+        return None
+    one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
+    is_sign = all(len(_colours(drawing)) == 1 for drawing in (one, other))
+    least = 0.0 if is_asked else LEAST_INK if is_sign else LEAST_OF_PICTURE
+    if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
+        return None
+    if min(one.share, other.share) < least:
+        return None
+    if (one.is_recovered or other.is_recovered) and not is_asked and _are_two_weights(a, b, one, other):
+        return None
+    return one, other
+
+
+def _corners(contour: Contour) -> int:
+    """Return the number of corners of a contour."""
+    starts, ends = cubics.directions(contour.segments)
+    turns = np.abs(np.angle(np.roll(starts, -1) / ends))
+    return int((turns > CORNER).sum())
+
+
+def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:
+    """Return whether outlines are built alike and lines have other widths, as a letter in two weights of a typeface.
+
+    Outlines that were made from each other are best matched segment by segment, or corner by corner if pieces are cut.
+    """
+    counts = [sorted(len(contour.contour.segments) for contour in drawing.contours) for drawing in (a, b)]
+    if counts[0] != counts[1]:
+        counts = [sorted(_corners(contour.contour) for contour in drawing.contours) for drawing in (a, b)]
+        if not any(counts[0]):
+            return False
+    widths = [median([line.width for line in drawing.lines]) for drawing in (one, other)]
+    return counts[0] == counts[1] and min(widths) < SAME_WEIGHT * max(widths)
+
+
+def _colours(drawing: PenDrawing) -> set[str | None]:
+    """Return the colours of lines and fills."""
+    styles = [body.style for body in drawing.bodies] + [line.style for line in drawing.lines]
+    return {paint.colour for style in styles for paint in style.paints} - {None}

@@ -28,6 +28,15 @@ UNITS = 24.0
 LEAST_TURN = 20.0
 """Minimum turn of a corner whose join is seen, in degrees."""
 
+LEAST_SLASH = 11.0
+"""Minimum length of a slash, in units."""
+
+SHORT = 1.5
+"""Maximum length of a line that comes or goes as a dot, in widths."""
+
+STRAIGHT = 0.99
+"""Minimum distance of a slash's ends, as a share of its length."""
+
 
 OFF = 0.02
 """Maximum distance of a piece from its line, as a share of the length of both."""
@@ -97,6 +106,18 @@ class PenLine(NamedTuple):
     def reach(self) -> float:
         """Maximum distance of an end from a line that it touches, in units."""
         return 0.6 * self.width + 0.2
+
+    @property
+    def can_be_drawn_on(self) -> bool:
+        """Whether it has ends, and is longer than a dot."""
+        return not self.closed and self.length >= SHORT * self.width
+
+    @property
+    def is_slash(self) -> bool:
+        """Whether it is straight, crosses much of the drawing, and slants."""
+        chord = complex(self.points[-1] - self.points[0])
+        slope = abs(chord.real) / max(abs(chord.imag), 1e-9)
+        return self.length > LEAST_SLASH and abs(chord) > STRAIGHT * self.length and 0.3 < slope < 3.3
 
     def style_beside(self, partner: PenLine) -> Style:
         """Return its style, with its partner's caps if it has no ends, and its joins if it has no corners."""

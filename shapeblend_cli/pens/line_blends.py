@@ -6,13 +6,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from shapeblend_cli.geometry.cubics import directions
 from shapeblend_cli.model import WHOLE
-from shapeblend_cli.model.arrays import median
 from shapeblend_cli.motion.pen import Pen, Together, between
 from shapeblend_cli.pens.around import slid_around
-from shapeblend_cli.pens.drawings import MOST_LINES
-from shapeblend_cli.pens.joints import with_bows, with_pieces
+from shapeblend_cli.pens.joints import with_bows
 from shapeblend_cli.pens.line import foot_points
 from shapeblend_cli.pens.moves import (
     BECOMES,
@@ -26,7 +23,7 @@ from shapeblend_cli.pens.moves import (
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
 from shapeblend_cli.pens.partners import least_work_turned, travelling
-from shapeblend_cli.pens.slashes import crossing_out, is_slash, slash_among
+from shapeblend_cli.pens.slashes import crossing_out, slash_among
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
 from shapeblend_cli.pens.turned import as_whole, centre_of, sign_turned, signs_turned, turned_among
@@ -35,18 +32,12 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ComplexArray, Contour, ShapeBlend
+    from shapeblend_cli.model import ComplexArray, ShapeBlend
     from shapeblend_cli.options.settings import Settings
     from shapeblend_cli.pens.line import PenDrawing, PenLine
     from shapeblend_cli.pens.named_lines import Pins, Required
     from shapeblend_cli.pens.partners import Assignment, Partners
     from shapeblend_cli.pens.stays import Run
-
-LEAST_INK = 0.1
-"""Minimum share of the ink of a drawing of one colour in its lines."""
-
-LEAST_OF_PICTURE = 0.45
-"""Minimum share of the ink of a drawing of several colours in its lines: these go along with what they surround."""
 
 KEPT = 0.3
 """Minimum share of a single stroke that stays for it to be matched as a line."""
@@ -59,12 +50,6 @@ UNHIDDEN = 0.1
 
 EXACT = 0.01
 """Maximum distance of lines that are the same, in units."""
-
-CORNER = np.radians(20.0)
-"""Minimum turn at a corner of an outline, in radians."""
-
-SAME_WEIGHT = 0.97
-"""Minimum ratio of the widths of two drawings in one weight of line."""
 
 REQUIRED = "a pen line that becomes another, as required"
 
@@ -85,20 +70,9 @@ class LineBlend(NamedTuple):
 def blend_lines(
     a: PlacedDrawing, b: PlacedDrawing, pens: tuple[PenDrawing, PenDrawing], settings: Settings, scale: float
 ) -> LineBlend | None:
-    """Match two drawings by their pen lines, if both are mostly drawn with a pen, or if that is asked for."""
+    """Match two drawings by their pen lines, see `enough_lines`, unless outlines are named or surely better."""
     is_asked = settings.strokes == "recover"
-    first, last = pens
-    if max(len(first.lines), len(last.lines)) > MOST_LINES:  # pieces come on top
-        return None
-    one, other = with_pieces(first, last, scale), with_pieces(last, first, scale)
-    is_sign = all(len(_colours(drawing)) == 1 for drawing in (one, other))
-    least = 0.0 if is_asked else LEAST_INK if is_sign else LEAST_OF_PICTURE
-    if not (one.lines and other.lines) or max(len(one.lines), len(other.lines)) > MOST_LINES:
-        return None
-    if min(one.share, other.share) < least:
-        return None
-    if (one.is_recovered or other.is_recovered) and not is_asked and _are_two_weights(a, b, one, other):
-        return None
+    one, other = pens
     bodies = a._replace(contours=one.bodies), b._replace(contours=other.bodies)
     required = required_lines(bodies, (one.lines, other.lines), settings, scale)
     if required is None:
@@ -120,33 +94,6 @@ def blend_lines(
     shorter, longer = sorted(sum(line.length for line in drawing.lines) for drawing in (one, other))
     kept_of_longer = kept * shorter / max(longer, 1e-9)  # dots have no length
     return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, kept_of_longer)
-
-
-def _corners(contour: Contour) -> int:
-    """Return the number of corners of a contour."""
-    starts, ends = directions(contour.segments)
-    turns = np.abs(np.angle(np.roll(starts, -1) / ends))
-    return int((turns > CORNER).sum())
-
-
-def _are_two_weights(a: PlacedDrawing, b: PlacedDrawing, one: PenDrawing, other: PenDrawing) -> bool:
-    """Return whether outlines are built alike and lines have other widths, as a letter in two weights of a typeface.
-
-    Outlines that were made from each other are best matched segment by segment, or corner by corner if pieces are cut.
-    """
-    counts = [sorted(len(contour.contour.segments) for contour in drawing.contours) for drawing in (a, b)]
-    if counts[0] != counts[1]:
-        counts = [sorted(_corners(contour.contour) for contour in drawing.contours) for drawing in (a, b)]
-        if not any(counts[0]):
-            return False
-    widths = [median([line.width for line in drawing.lines]) for drawing in (one, other)]
-    return counts[0] == counts[1] and min(widths) < SAME_WEIGHT * max(widths)
-
-
-def _colours(drawing: PenDrawing) -> set[str | None]:
-    """Return the colours of lines and fills."""
-    styles = [body.style for body in drawing.bodies] + [line.style for line in drawing.lines]
-    return {paint.colour for style in styles for paint in style.paints} - {None}
 
 
 def _shapes(moves: Sequence[Move], scale: float, settings: Settings) -> tuple[ShapeBlend, ...]:
@@ -233,7 +180,7 @@ def line_moves(
         [line for k, line in enumerate(with_bows(lines)) if all(k != pair[side] for pair in required.pairs)]
         for side, lines in enumerate((a, b))
     )
-    is_crossed = {sum(map(is_slash, lines)) for lines in (a, b)} == {0, 1}
+    is_crossed = {sum(line.is_slash for line in lines) for lines in (a, b)} == {0, 1}
     shift = common_shift(a, b) if is_crossed and not settings.mix else 0j
     if shift:
         b = [line._replace(points=line.points - shift) for line in b]

@@ -82,9 +82,6 @@ CORNERS_FIRST = 0.5
 EVEN = 0.05
 """Tolerance of the halves of a line that are alike, as a share of its length."""
 
-SHORT = 1.5
-"""Maximum length of a line that comes or goes as a dot, in widths."""
-
 STUBBY = 1.95
 """Maximum length of a line that thickens as it comes, in widths: drawn on in its full width, a dot would pop up."""
 
@@ -349,7 +346,7 @@ def alone(
     if line.closed and _surrounds(line, [own for _, own in outlines]):
         around = Drawing(smooth(_clockwise_from_top(line)), *shares)
         return [moving(around, is_joined=False, is_early=True)]
-    if line.closed or line.length < SHORT * line.width:
+    if not line.can_be_drawn_on:
         point = np.full(len(points), Box.around(points).centre)
         pair = (point, points) if is_new else (points, point)
         most = RINGS if line.closed else STUBBY

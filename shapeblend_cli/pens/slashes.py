@@ -16,12 +16,6 @@ if TYPE_CHECKING:
     from shapeblend_cli.pens.line import PenLine
     from shapeblend_cli.pens.moves import Move
 
-LEAST_SLASH = 11.0
-"""Minimum length of a slash, in units."""
-
-STRAIGHT = 0.99
-"""Minimum distance of a slash's ends, as a share of its length."""
-
 LEAST_KEPT = 0.4
 """Minimum share of a drawing that stays for a line to cross it out."""
 
@@ -32,16 +26,9 @@ LEAST_TIME = 0.2
 """Minimum time in which a line is drawn back from a slash, or on to it, as a share."""
 
 
-def is_slash(line: PenLine) -> bool:
-    """Return whether a line is straight, crosses much of the drawing, and slants."""
-    chord = complex(line.points[-1] - line.points[0])
-    slope = abs(chord.real) / max(abs(chord.imag), 1e-9)
-    return line.length > LEAST_SLASH and abs(chord) > STRAIGHT * line.length and 0.3 < slope < 3.3
-
-
 def slash_among(a: Sequence[PenLine], b: Sequence[PenLine], kept: float) -> tuple[int, int] | None:
     """Return the drawing and the index of the one slash among lines that do not stay, where much else stays."""
-    found = [(side, k) for side, lines in enumerate((a, b)) for k, line in enumerate(lines) if is_slash(line)]
+    found = [(side, k) for side, lines in enumerate((a, b)) for k, line in enumerate(lines) if line.is_slash]
     return found[0] if len(found) == 1 and kept >= LEAST_KEPT else None
 
 

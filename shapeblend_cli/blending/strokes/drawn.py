@@ -1,7 +1,4 @@
-"""Straight strokes and slashes without a partner beside fills: drawn on or back at their width.
-
-Others, which may run along the edge of a fill that changes, grow from a point.
-"""
+"""Loose lines beside fills: drawn on or back at their width."""
 
 from __future__ import annotations
 
@@ -13,44 +10,38 @@ from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box, Fade, Place
 from shapeblend_cli.motion.pen import Drawing, Pen, Riding, Straight
 from shapeblend_cli.pairing.growth import MatchedPoints, carried
-from shapeblend_cli.pens.drawings import file_line, recovered_lines
-from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.line_blends import without_dots
-from shapeblend_cli.pens.moves import SHORT, Move, alone
-from shapeblend_cli.pens.slashes import STRAIGHT, crossing_out, is_slash
+from shapeblend_cli.pens.moves import Move, alone
+from shapeblend_cli.pens.slashes import crossing_out
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Sequence
+    from collections.abc import Mapping, Sequence
 
-    from shapeblend_cli.anatomy.decompose import PlacedContour
-    from shapeblend_cli.blending.matched import PairedDrawings, Progress
     from shapeblend_cli.model import ContourBlend, ShapeBlend
+    from shapeblend_cli.options.constants import WorkConstants
     from shapeblend_cli.pens.line import PenLine
 
 
 def with_drawn_strokes(
-    paired: PairedDrawings, shapes: Sequence[ShapeBlend], places: Sequence[Place], view: Box
+    shapes: Sequence[ShapeBlend],
+    places: Sequence[Place],
+    loose: Mapping[int, Sequence[PenLine]],
+    constants: WorkConstants,
+    scale: float,
 ) -> tuple[list[ShapeBlend], list[Place]]:
-    """Let straight strokes and slashes that would grow from points be drawn on or back.
-
-    Return all shapes with their places.
-    """
-    scale = UNITS / view.larger_side
+    """Let loose lines, by the shapes that they would be, be drawn on or back; return all shapes with their places."""
     carriers = [_carrier(each, scale) for shape in shapes for each in shape.contours if each.is_matched]
     strokes = [shape for shape in shapes if len(shape.contours) == 1 and shape.style_a.stroke is not None]
-    placed = [{contour.number: contour for contour in side.contours} for side in (paired.a, paired.b)]
     found: list[ShapeBlend] = []
     numbers: list[range] = []
-    for shape in shapes:
+    for k, shape in enumerate(shapes):
         begin = len(found)
-        may_be_drawn = bool(carriers) and shape.fade is None
-        lines = _loose_lines(shape, placed, paired.progress, scale) if may_be_drawn else None
-        if lines is None:
+        if k not in loose:
             found.append(shape)
         else:
-            for contour, line in zip(shape.contours, lines, strict=True):
+            for contour, line in zip(shape.contours, loose[k], strict=True):
                 drawn = _drawn(line, carriers, is_new=contour.a is None)
-                own = drawn.shape(scale, paired.settings.constants)
+                own = drawn.shape(scale, constants)
                 (path,) = own.contours
                 own = own._replace(contours=(path._replace(parents=contour.parents, lines=(None, None)),))
                 found.append(_faded_in_time(without_dots(own, strokes, is_straight=False), drawn))
@@ -82,58 +73,9 @@ def _carrier(contour: ContourBlend, scale: float) -> Pen:
     return Pen((Straight(ends[0] * scale, ends[1] * scale),), closed=contour.start.closed)
 
 
-def _loose_lines(
-    shape: ShapeBlend, placed: Sequence[dict[int, PlacedContour]], progress: Progress, scale: float
-) -> list[PenLine] | None:
-    """Return the lines of a shape of which each contour is a loose line; None for all others."""
-    lines = []
-    for contour in shape.contours:
-        line = _loose_line(contour, placed, progress, scale)
-        if line is None:
-            return None
-        lines.append(line)
-    return lines
-
-
-def _loose_line(
-    contour: ContourBlend, placed: Sequence[dict[int, PlacedContour]], progress: Progress, scale: float
-) -> PenLine | None:
-    """Return a straight stroke or a slash that grows from a point, or shrinks to one, as a line; else None.
-
-    A stroke that goes with a fill without a partner is none.
-    """
-    if contour.is_matched or not contour.path(1 - contour.whole_at).is_point:
-        return None
-    here = contour.whole_at
-    number = contour.numbers[here]
-    own = placed[here].get(number) if number is not None else None
-    if own is None:
-        return None
-    body = placed[here].get(contour.root.body) if contour.root is not None else None
-    if body is not None and body.style.fill is not None:
-        return None  # it goes with that
-    others = placed[here].values()
-    line = progress.once("line", (own,), scale, lambda: _stroke_or_slash(own, others, scale))
-    if line is None or line.closed or line.length < SHORT * line.width:
-        return None
-    return line if abs(line.points[-1] - line.points[0]) > STRAIGHT * line.length else None
-
-
-def _stroke_or_slash(own: PlacedContour, others: Iterable[PlacedContour], scale: float) -> PenLine | None:
-    """Return a stroke, or a filled slash, as a line; None for all others."""
-    if own.style.fill is None:
-        return None if own.style.stroke is None else file_line(own, scale)
-    if own.style.stroke is not None or not own.is_slender:
-        return None
-    if any(other.exterior == own.number for other in others):
-        return None
-    lines, rests = recovered_lines([own], scale) or ([], [])
-    return lines[0] if len(lines) == 1 and not rests and is_slash(lines[0]) else None
-
-
 def _drawn(line: PenLine, carriers: Sequence[Pen], *, is_new: bool) -> Move:
     """Draw a line on, or back, carried along by what it touches, else by what is around it or near."""
-    if is_slash(line):
+    if line.is_slash:
         move = crossing_out(line, [], is_new=is_new)[0]
     else:
         (move,) = alone(line, carriers, is_new=is_new)
