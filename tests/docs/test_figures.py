@@ -43,8 +43,9 @@ def test_every_pair_has_its_scores():
         counts = [len(subpaths(data)) for pair in icon_pairs(name) for data in (pair.a, pair.b)]
         assert (min(counts), max(counts)) == {"single": (1, 1), "whole": (2, 5)}[name]
     assert list(FOUND["truth"]) == list(truth.KINDS)
+    for section, tools in {"icons": [*TOOLS, crossings.NEVER], "truth": list(TOOLS)}.items():
+        assert all(list(kept["scores"]) == tools for kept in FOUND[section].values())
     for kept in [*FOUND["icons"].values(), *FOUND["truth"].values()]:
-        assert list(kept["scores"]) == list(TOOLS)
         columns = [column for scores in kept["scores"].values() for column in scores.values()]
         assert {len(column) for column in columns} == {len(kept["pairs"])}
 
@@ -55,7 +56,7 @@ def test_icons_measured_anew(name, tool):
     if tool == flubber.NAME:
         require("flubber")
     numbers = range(0, len(icon_pairs(name)), EVERY[name])
-    scores = crossings.scored(TOOLS[tool], [icon_pairs(name)[k] for k in numbers])
+    scores = crossings.scored(TOOLS[tool].blends, [icon_pairs(name)[k] for k in numbers])
     same(Score, scores, FOUND["icons"][name]["scores"][tool], numbers)
 
 

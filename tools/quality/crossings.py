@@ -8,14 +8,19 @@ import numpy as np
 
 from tools.quality import raw
 from tools.quality.data import DECIMALS, SETS, icon_pairs, subpaths
+from tools.quality.peers import shapeblend
 from tools.quality.scores import LITTLE, Score, score
 from tools.quality.tables import NONE, Brief, Section, Table, share
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from tools.quality.data import Pair
     from tools.quality.peers import Tool
+
+    Blends = Callable[[list[Pair]], list[list[list[np.ndarray]] | None]]
+
+NEVER = f"{shapeblend.NAME} --swap never"
 
 HEADER = (
     "pairs of icons",
@@ -64,7 +69,7 @@ The tools:
   a contour with curves in about 2000 pieces. Where it moves icons as pen lines, their strokes count as the outlines of
   all that they paint together. Drawings that would not blend well [take each other's
   place](motion.md#drawings-with-too-little-in-common): one shrinks and the other grows. So do most of the pairs of two
-  to five contours. These cross nothing, and count as below 70 % of the area.
+  to five contours. These cross nothing, and count as below 70 % of the area. With `--swap never` all are blended.
 - flubber, KUTE.js and polymorph are libraries for web pages, run in node. All three have the MIT licence, and npm
   installs them from a lock file. Some help is given that users can easily give, too: contours are put in order of size,
   or turned the same way round.
@@ -90,20 +95,25 @@ The tools:
 
 
 def measured(tools: Sequence[Tool]) -> dict:
-    """Every pair of every set with every tool."""
+    """Every pair of every set with every tool, and with shapeblend if it is to blend them all."""
+    ways = {tool.name: tool.blends for tool in tools} | {NEVER: never_swapped}
     found = {}
     for name in SETS:
         pairs = icon_pairs(name)
-        scores = {tool.name: raw.columns(Score, scored(tool, pairs)) for tool in tools}
+        scores = {tool: raw.columns(Score, scored(blends, pairs)) for tool, blends in ways.items()}
         found[name] = {"pairs": [pair.id for pair in pairs], "scores": scores}
     return found
 
 
-def scored(tool: Tool, pairs: list[Pair]) -> list[Score | None]:
-    """What is said of the pairs; None where the tool has no answer."""
+def never_swapped(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
+    """The frames of shapeblend if it is to blend all pairs."""
+    return shapeblend.blends(pairs, ("--swap", "never"))
+
+
+def scored(blends: Blends, pairs: list[Pair]) -> list[Score | None]:
+    """What is said of the pairs; None where a tool has no answer."""
     contours = [(len(subpaths(pair.a)), len(subpaths(pair.b))) for pair in pairs]
-    blends = zip(tool.blends(pairs), contours, strict=True)
-    return [frames and score(frames, counts) for frames, counts in blends]
+    return [frames and score(frames, counts) for frames, counts in zip(blends(pairs), contours, strict=True)]
 
 
 def section(found: dict) -> Section:

@@ -34,8 +34,8 @@ FINE = 2000
 """A contour with curves is cut into about so many pieces. One of straight lines is taken as it is."""
 
 
-def blends(pairs: list[Pair]) -> list[list[list[np.ndarray]] | None]:
-    files = (frames(pair) for pair in pairs)
+def blends(pairs: list[Pair], also: Sequence[str] = ()) -> list[list[list[np.ndarray]] | None]:
+    files = (frames(pair, also=also) for pair in pairs)
     return [each and [painted(text) for text in each] for each in files]
 
 
@@ -64,11 +64,12 @@ def links_of(contour: dict) -> tuple[np.ndarray, np.ndarray]:
     return (np.array(contour["vertices_a"]) @ [1, 1j])[a], (np.array(contour["vertices_b"]) @ [1, 1j])[b]
 
 
-def frames(pair: Pair, steps: int = STEPS) -> list[str] | None:
+def frames(pair: Pair, steps: int = STEPS, also: Sequence[str] = ()) -> list[str] | None:
     """The files at even times, both ends among them, or None if the command fails."""
     with tempfile.TemporaryDirectory() as folder:
         target = Path(folder, "frames")
-        done = _blend((svg(pair.a), svg(pair.b)), Path(folder), target, "--frames", str(steps - 1), "--ends")
+        options = ["--frames", str(steps - 1), "--ends", *also]
+        done = _blend((svg(pair.a), svg(pair.b)), Path(folder), target, *options)
         return _files(target) if done else None
 
 
