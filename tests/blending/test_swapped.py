@@ -198,6 +198,33 @@ def test_clips_shrink_and_grow_with_what_they_clip():
             assert complex(box.x, box.y) == pytest.approx(centre + scale * (2 + 2j - centre), abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    ("kind", "attributes", "changing"),
+    [
+        ("radialGradient", 'cx="8" cy="9" r="7"', ("centre", "radii")),
+        ("linearGradient", 'x1="3" y1="4" x2="20" y2="18"', ("start", "end")),
+    ],
+)
+def test_gradients_shrink_and_grow_with_what_they_paint(kind, attributes, changing):
+    paint = (
+        f'<{kind} id="g" gradientUnits="userSpaceOnUse" {attributes}><stop stop-color="#f00"/>'
+        f'<stop offset="1" stop-color="#00f"/></{kind}><path fill="url(#g)" d="{{}}"/>'
+    )
+    ends = [drawing(paint.format(d)) for d in ("M1 1h21v9h-21z", "M4 2h9v20h-9z")]
+    (pair,), _ = match_all(ends, Settings(swap="always"))
+    centre = pair.views[0].centre
+    for t in (0.2, 0.4, 0.5, 0.7):
+        for blend, shape in zip(pair.shapes, shapes_at(pair, t), strict=True):
+            own = blend.own_time(t)
+            scale = own if blend.sources[0] is None else 1.0 - own
+            whole = (blend.style_b if blend.sources[0] is None else blend.style_a).fill_gradient
+            for name in changing:
+                here, there = (getattr(gradient, name) for gradient in (shape.style.fill_gradient, whole))
+                if isinstance(there, complex):
+                    here, there = here - centre, there - centre
+                assert np.array(here) == pytest.approx(scale * np.array(there), abs=1e-2)
+
+
 def sizes_at(pair, t):
     """Return the sizes of what leaves and of what comes, as shares of their own."""
     own = {shape.sources[0] is None: shape.own_time(t) for shape in pair.shapes}

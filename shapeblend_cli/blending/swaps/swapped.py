@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import with_curves
 from shapeblend_cli.model import Box, ShapeBlend
 from shapeblend_cli.wires.contour_blends import grow_from_point
@@ -33,6 +34,9 @@ SHRINKS = 4
 
 GROWS = 15
 """Power by which a drawing grows, backwards in time: it is soon as large as the other one was when last seen."""
+
+SPECK = 1e-4
+"""Size of the paint of what is gone, as a share of its own: that of a point would have no directions."""
 
 STEPS = np.arange(KNOTS + 1) / KNOTS
 """Even shares of the time that a drawing takes to leave or to come."""
@@ -72,11 +76,14 @@ def swapped(
     leaving, coming = _rooms((a, b), centre)
     paces = _leaving(leaving), _coming(coming)
 
+    # Gradients, patterns and pictures shrink with what they paint.
+    to_speck = Similarity(SPECK, onto=centre, about=centre)
+
     def scaled(side: PlacedDrawing, here: int) -> Iterator[ShapeBlend]:
         blend = partial(grow_from_point, point=centre, of_b=bool(here))
         for shape in shapes_of_one(side, here, blend, curves=settings.curves):
-            thin = shape.style_a._replace(stroke_width=0.0)
-            shape = shape._replace(style_a=thin) if here else shape._replace(style_b=thin)
+            gone = to_speck.style(shape.style_a)._replace(stroke_width=0.0)
+            shape = shape._replace(style_a=gone) if here else shape._replace(style_b=gone)
             yield shape._replace(reason=reason, pace=paces[here])
 
     return (*scaled(a, here=0), *scaled(b, here=1))
