@@ -274,9 +274,10 @@ def _rest(polygon: ComplexArray, exterior: PlacedContour, vertices: int) -> Plac
 def enough_lines(
     a: PlacedDrawing, b: PlacedDrawing, pens: tuple[PenDrawing, PenDrawing], scale: float, *, is_asked: bool
 ) -> tuple[PenDrawing, PenDrawing] | None:
-    """Return two drawings as pen lines, each with pieces of the other one's, if there are enough, or that is asked for.
+    """Return two drawings as pen lines, each with pieces of the other one's; None if these are too few or too many.
 
-    `scale` is the number of units that a length of 1 has.
+    Few are enough if `is_asked`. A letter in two weights is better blended by its outlines. `scale` is the number of
+    units that a length of 1 has.
     """
     first, last = pens
     if max(len(first.lines), len(last.lines)) > MOST_LINES:  # pieces come on top

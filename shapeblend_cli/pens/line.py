@@ -35,7 +35,7 @@ SHORT = 1.5
 """Maximum length of a line that comes or goes as a dot, in widths."""
 
 STRAIGHT = 0.99
-"""Minimum distance of a slash's ends, as a share of its length."""
+"""Minimum distance of the ends of a straight line, as a share of its length."""
 
 
 OFF = 0.02
@@ -113,11 +113,16 @@ class PenLine(NamedTuple):
         return not self.closed and self.length >= SHORT * self.width
 
     @property
+    def is_straight(self) -> bool:
+        """Whether it goes straight from end to end."""
+        return not self.closed and bool(abs(self.points[-1] - self.points[0]) >= STRAIGHT * self.length)
+
+    @property
     def is_slash(self) -> bool:
         """Whether it is straight, crosses much of the drawing, and slants."""
         chord = complex(self.points[-1] - self.points[0])
         slope = abs(chord.real) / max(abs(chord.imag), 1e-9)
-        return self.length > LEAST_SLASH and abs(chord) > STRAIGHT * self.length and 0.3 < slope < 3.3
+        return self.length > LEAST_SLASH and self.is_straight and 0.3 < slope < 3.3
 
     def style_beside(self, partner: PenLine) -> Style:
         """Return its style, with its partner's caps if it has no ends, and its joins if it has no corners."""

@@ -70,7 +70,10 @@ class LineBlend(NamedTuple):
 def blend_lines(
     a: PlacedDrawing, b: PlacedDrawing, pens: tuple[PenDrawing, PenDrawing], settings: Settings, scale: float
 ) -> LineBlend | None:
-    """Match two drawings by their pen lines, see `enough_lines`, unless outlines are named or surely better."""
+    """Match two drawings by their pen lines, which are enough, see `enough_lines`.
+
+    None is returned if outlines are named, or if a single stroke of each has too little in common.
+    """
     is_asked = settings.strokes == "recover"
     one, other = pens
     bodies = a._replace(contours=one.bodies), b._replace(contours=other.bodies)

@@ -62,9 +62,6 @@ FEW = 4
 MANY = 4
 """Minimum number of lines of both drawings for one to turn so."""
 
-STRAIGHT = 0.99
-"""Minimum distance of the ends of a straight line, as a share of its length."""
-
 TURN_COST = 0.08
 """Cost of turning a drawing as a whole beside, as a share of the length of its lines."""
 
@@ -143,7 +140,7 @@ def least_work_turned(
     back, and the angle, in radians.
     """
     found = least_work(a, b, centres), 0.0
-    are_bars = any(all(map(_is_straight, lines)) for lines in (a, b))
+    are_bars = any(all(line.is_straight for line in lines) for lines in (a, b))
     if not (may_turn and are_bars and a and b) or len(a) + len(b) < MANY or max(len(a), len(b)) > FEW:
         return found
     turning = TURN_COST * sum(line.length for line in (*a, *b)) / 2.0
@@ -155,10 +152,6 @@ def least_work_turned(
         if turned.work + (0.0 if found[1] else turning) < found[0].work - 1e-9:
             found = turned, angle
     return found
-
-
-def _is_straight(line: PenLine) -> bool:
-    return not line.closed and abs(line.points[-1] - line.points[0]) >= STRAIGHT * line.length
 
 
 def _new_crossings(found: Assignment) -> int:

@@ -8,7 +8,7 @@ import pytest
 import shapeblend_cli as sb
 from shapeblend_cli.blending.graded import SWAP_GRADE, grade_of
 from shapeblend_cli.blending.swaps import unlike
-from shapeblend_cli.blending.swaps.swapped import ASKED, SWAPPED, is_swapped
+from shapeblend_cli.blending.swaps.swapped import ASKED, GONE, SHRINKS, SWAPPED, is_swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ANY,
     BADGED,
@@ -198,31 +198,55 @@ def test_clips_shrink_and_grow_with_what_they_clip():
             assert complex(box.x, box.y) == pytest.approx(centre + scale * (2 + 2j - centre), abs=1e-6)
 
 
+STOPS = '<stop stop-color="#f00"/><stop offset="1" stop-color="#00f"/>'
+UNITS = 'id="g" gradientUnits="userSpaceOnUse"'
+
+
 @pytest.mark.parametrize(
-    ("kind", "attributes", "changing"),
+    ("paint", "changing"),
     [
-        ("radialGradient", 'cx="8" cy="9" r="7"', ("centre", "radii")),
-        ("linearGradient", 'x1="3" y1="4" x2="20" y2="18"', ("start", "end")),
+        (f'<radialGradient {UNITS} cx="8" cy="9" r="7">{STOPS}</radialGradient>', ("centre", "radii")),
+        (f'<linearGradient {UNITS} x1="3" y1="4" x2="20" y2="18">{STOPS}</linearGradient>', ("start", "end")),
+        (
+            '<pattern id="g" patternUnits="userSpaceOnUse" x="2" y="3" width="4" height="4">'
+            '<path d="M0 0H2V2z"/></pattern>',
+            ("origin", "scale"),
+        ),
     ],
 )
-def test_gradients_shrink_and_grow_with_what_they_paint(kind, attributes, changing):
-    paint = (
-        f'<{kind} id="g" gradientUnits="userSpaceOnUse" {attributes}><stop stop-color="#f00"/>'
-        f'<stop offset="1" stop-color="#00f"/></{kind}><path fill="url(#g)" d="{{}}"/>'
+@pytest.mark.parametrize("where", ["fill", "stroke"])
+def test_gradients_and_patterns_shrink_and_grow_with_what_they_paint(paint, changing, where):
+    paths = (
+        f'<path style="fill:none;{where}:url(#g)" d="{d}"/>' for d in ("M1 1h21v9h-21z", "M4 2h9v20h-9z")
     )
-    ends = [drawing(paint.format(d)) for d in ("M1 1h21v9h-21z", "M4 2h9v20h-9z")]
-    (pair,), _ = match_all(ends, Settings(swap="always"))
+    (pair,), _ = match_all([drawing(paint + path) for path in paths], Settings(swap="always"))
     centre = pair.views[0].centre
-    for t in (0.2, 0.4, 0.5, 0.7):
-        for blend, shape in zip(pair.shapes, shapes_at(pair, t), strict=True):
-            own = blend.own_time(t)
-            scale = own if blend.sources[0] is None else 1.0 - own
-            whole = (blend.style_b if blend.sources[0] is None else blend.style_a).fill_gradient
-            for name in changing:
-                here, there = (getattr(gradient, name) for gradient in (shape.style.fill_gradient, whole))
-                if isinstance(there, complex):
-                    here, there = here - centre, there - centre
-                assert np.array(here) == pytest.approx(scale * np.array(there), abs=1e-2)
+    for scale, whole, here in painted_at(pair, (0.2, 0.4, 0.5)):
+        for name in changing:
+            now, then = (getattr(getattr(style, f"{where}_gradient"), name) for style in (here, whole))
+            if isinstance(then, complex):
+                now, then = now - centre, then - centre
+            assert np.array(now) == pytest.approx(scale * np.array(then), abs=1e-2)
+
+
+@pytest.mark.parametrize("effect", ["none", "non-scaling-stroke"])
+def test_dashes_and_widths_of_strokes_shrink_and_grow_with_what_they_paint(effect):
+    stroke = f'fill="none" stroke="#000" stroke-width="2" stroke-dasharray="4 2" vector-effect="{effect}"'
+    ends = [drawing(f'<path {stroke} d="{d}"/>') for d in ("M1 1L20 22", "M3 20L22 3")]
+    (pair,), _ = match_all(ends, Settings(swap="always"))
+    for scale, whole, here in painted_at(pair, (0.2, 0.4, 0.5)):
+        assert here.stroke_width == pytest.approx(scale * whole.stroke_width)
+        assert here.stroke_dasharray == pytest.approx(scale * np.array(whole.stroke_dasharray), abs=1e-3)
+
+
+def painted_at(pair, times):
+    """Yield the size of each shape at times, as a share of its own, with its own style and that at the time."""
+    for t in times:
+        for blend in pair.shapes:
+            is_new = blend.sources[0] is None
+            scale = blend.own_time(t) if is_new else 1.0 - blend.own_time(t)
+            if scale > 0.0:
+                yield scale, blend.style(int(is_new)), shape_styles(blend, t)[0]
 
 
 def sizes_at(pair, t):
@@ -270,9 +294,13 @@ def test_a_view_that_changes_makes_a_drawing_no_smaller_than_it_has_to_be(tmp_pa
     wide, narrow = (drawing(f'<path d="M1 4H{x - 1}V20H1z"/>', viewbox=f"0 0 {x} 24") for x in (24, width))
     for ends, leaves in ((wide, narrow), True), ((narrow, wide), False):
         (pair,) = sb.blend(*ends, swap="always").pairs
-        times = (0.05, 0.1, 0.2) if leaves else (0.95, 0.9, 0.8, 0.7)  # until it would shrink by itself
-        needed = [(1.0 - t if leaves else t) + (t if leaves else 1.0 - t) * (width - 2) / 22 for t in times]
-        sizes = [sizes_at(pair, t)[not leaves] for t in times]
+        needed = [(1.0 - t) + t * (width - 2) / 22 for t in (0.1, 0.2, 0.3)]
+        if leaves:  # it shrinks by itself, too
+            needed = [
+                min(size, 1.0 - (t / GONE) ** SHRINKS)
+                for size, t in zip(needed, (0.1, 0.2, 0.3), strict=True)
+            ]
+        sizes = [sizes_at(pair, t if leaves else 1.0 - t)[not leaves] for t in (0.1, 0.2, 0.3)]
         assert all(size >= 0.95 * least for size, least in zip(sizes, needed, strict=True))
 
 

@@ -29,7 +29,10 @@ def with_drawn_strokes(
     constants: WorkConstants,
     scale: float,
 ) -> tuple[list[ShapeBlend], list[Place]]:
-    """Let loose lines, by the shapes that they would be, be drawn on or back; return all shapes with their places."""
+    """Draw loose lines on or back, and return all shapes with their places.
+
+    `loose` has the lines by the index of their shape.
+    """
     carriers = [_carrier(each, scale) for shape in shapes for each in shape.contours if each.is_matched]
     strokes = [shape for shape in shapes if len(shape.contours) == 1 and shape.style_a.stroke is not None]
     found: list[ShapeBlend] = []

@@ -1,6 +1,6 @@
 """Loose lines: straight strokes and slashes without a partner beside fills.
 
-Others, which may run along the edge of a fill that changes, grow from a point.
+Bent strokes, which may run along the edge of a fill that changes, grow from a point.
 """
 
 from __future__ import annotations
@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.pens.drawings import file_line, recovered_lines
-from shapeblend_cli.pens.line import STRAIGHT
 from shapeblend_cli.pens.named_lines import wants_lines
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def _loose_line(
     line = progress.once("line", (own,), scale, lambda: _stroke_or_slash(own, others, scale))
     if line is None or not line.can_be_drawn_on:
         return None
-    return line if abs(line.points[-1] - line.points[0]) > STRAIGHT * line.length else None
+    return line if line.is_straight else None
 
 
 def _stroke_or_slash(own: PlacedContour, others: Iterable[PlacedContour], scale: float) -> PenLine | None:

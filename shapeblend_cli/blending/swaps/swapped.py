@@ -33,10 +33,10 @@ SHRINKS = 4
 """Power of the time by which a drawing shrinks: slowly enough for that to be seen, else the change would be a cut."""
 
 GROWS = 15
-"""Power by which a drawing grows, backwards in time: it is soon as large as the other one was when last seen."""
+"""Power of the time, backwards, by which a drawing grows: it is soon large."""
 
 SPECK = 1e-4
-"""Size of the paint of what is gone, as a share of its own: that of a point would have no directions."""
+"""Size of the paint of what is gone, as a share of its own: a gradient of size 0 would have no direction."""
 
 STEPS = np.arange(KNOTS + 1) / KNOTS
 """Even shares of the time that a drawing takes to leave or to come."""
@@ -76,13 +76,14 @@ def swapped(
     leaving, coming = _rooms((a, b), centre)
     paces = _leaving(leaving), _coming(coming)
 
-    # Gradients, patterns and pictures shrink with what they paint.
+    # Gradients, patterns and dashes shrink with what they paint.
     to_speck = Similarity(SPECK, onto=centre, about=centre)
 
     def scaled(side: PlacedDrawing, here: int) -> Iterator[ShapeBlend]:
         blend = partial(grow_from_point, point=centre, of_b=bool(here))
         for shape in shapes_of_one(side, here, blend, curves=settings.curves):
-            gone = to_speck.style(shape.style_a)._replace(stroke_width=0.0)
+            style = shape.style_a
+            gone = to_speck.style(style)._replace(stroke_width=0.0, pixel=style.pixel)
             shape = shape._replace(style_a=gone) if here else shape._replace(style_b=gone)
             yield shape._replace(reason=reason, pace=paces[here])
 
