@@ -1,4 +1,4 @@
-"""Polylines: length along them, points at given lengths, repeated points, fewer points, what is near, and even values.
+"""Polylines: length along them, points at given lengths, repeated and fewer points, what is near, cuts, even values.
 
 This file is compiled by Cython and runs uncompiled as well.
 """
@@ -209,6 +209,54 @@ def _keep_needed(
             spans[2 * count], spans[2 * count + 1] = first, furthest
             spans[2 * count + 2], spans[2 * count + 3] = furthest, last
             count += 2
+
+
+def clipped(polygon: ComplexArray, corner: complex, edge: complex) -> ComplexArray:
+    """Return the part of a convex polygon on one side of a line, perhaps nothing (Sutherland and Hodgman 1974).
+
+    Parameters
+    ----------
+    polygon : (n,) complex
+    corner, edge : complex
+        A point of the line, and its direction. What lies in directions up to half a turn from x towards y from there
+        stays.
+
+    Examples
+    --------
+    >>> clipped(np.array([0j, 2 + 0j, 2 + 2j, 2j]), 1j, 1 + 0j).tolist()
+    [(2+1j), (2+2j), 2j, 1j]
+    """
+    found = np.empty(2 * len(polygon), np.complex128)
+    return found[: _clip(np.ascontiguousarray(polygon), corner, edge, found)]
+
+
+@cython.boundscheck(False)
+@cython.wraparound(False)
+@cython.cdivision(True)
+def _clip(
+    polygon: cython.const[cython.doublecomplex][::1],
+    corner: cython.doublecomplex,
+    edge: cython.doublecomplex,
+    found: cython.doublecomplex[::1],
+) -> int:
+    """Fill in the corners of what stays, and return their number."""
+    count: cython.Py_ssize_t = 0
+    size: cython.Py_ssize_t = polygon.shape[0]
+    k: cython.Py_ssize_t
+    for k in range(size):
+        p: cython.doublecomplex = polygon[k]
+        q: cython.doublecomplex = polygon[k + 1 if k + 1 < size else 0]
+        # Distances from the line, in lengths of the edge squared.
+        here: cython.double = (p.imag - corner.imag) * edge.real - (p.real - corner.real) * edge.imag
+        there: cython.double = (q.imag - corner.imag) * edge.real - (q.real - corner.real) * edge.imag
+        if here > 0.0:
+            found[count] = p
+            count += 1
+        if (here > 0.0) != (there > 0.0):
+            share: cython.double = here / (here - there)
+            found[count] = p + share * (q - p)
+            count += 1
+    return count
 
 
 def nearest_edges(

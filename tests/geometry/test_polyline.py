@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from shapely import Polygon
 
 from shapeblend_cli.geometry import polyline
 
@@ -49,6 +50,21 @@ def test_values_between_known_ones_are_those_of_numpy_round_after_round(rng, loa
             if module is not polyline:
                 assert np.array_equal(found, polyline.interpolated(values, known, results))
                 assert np.array_equal(repeated, polyline.interpolated(values, known, results, True))
+
+
+def test_convex_polygons_are_clipped_as_shapely_clips_them(rng, load_uncompiled):
+    uncompiled = load_uncompiled("shapeblend_cli.geometry.polyline")
+    for _ in range(50):
+        around = np.sort(rng.uniform(0.0, 2.0 * np.pi, rng.integers(3, 12)))
+        polygon = 2.0 * np.exp(1j * around) + 1.0
+        corner, edge = complex(*rng.normal(size=2)), complex(*rng.normal(size=2))
+        found = polyline.clipped(polygon, corner, edge)
+        assert np.array_equal(found, uncompiled.clipped(polygon, corner, edge))
+        ends = corner - 100.0 * edge, corner + 100.0 * edge
+        half = [*ends, ends[1] + 100j * edge, ends[0] + 100j * edge]
+        expected = Polygon(coordinates(polygon)).intersection(Polygon(coordinates(np.array(half))))
+        area = Polygon(coordinates(found)).area if len(found) else 0.0
+        assert area == pytest.approx(expected.area, abs=1e-9)
 
 
 def test_tied_values_solve_their_system_the_same_compiled_and_uncompiled(rng, load_uncompiled):

@@ -16,7 +16,8 @@ from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.blending.copies import CROWD
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import orientation, signed_area, winding_numbers
-from shapeblend_cli.geometry.polyline import needed
+from shapeblend_cli.geometry.polyline import clipped, needed
+from shapeblend_cli.model.arrays import rolled
 from shapeblend_cli.pens.drawings import recovered_lines
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.wires.contour_blends import vertex_by_vertex
@@ -149,21 +150,17 @@ def _corner(points: ComplexArray, reach: float) -> ComplexArray:
 
 
 def _common(polygons: Sequence[ComplexArray]) -> ComplexArray:
-    """Return the intersection of convex polygons of positive area (Sutherland and Hodgman 1974); perhaps nothing."""
+    """Return the intersection of convex polygons of positive area; perhaps nothing."""
     found = polygons[0]
     for other in polygons[1:]:
-        edges = np.roll(other, -1) - other
-        other, edges = other[np.abs(edges) > 1e-9], edges[np.abs(edges) > 1e-9]
+        edges = rolled(other, -1) - other
+        is_long = np.abs(edges) > 1e-9
+        other, edges = other[is_long], edges[is_long]
         outside = ((found - other[:, None]) * edges.conj()[:, None]).imag < 0.0
         if not len(edges) or outside.all(axis=1).any():
             return found[:0]
         for k in np.flatnonzero(outside.any(axis=1)).tolist():
-            inside = ((found - other[k]) * edges[k].conjugate()).imag
-            following, after = np.roll(found, -1), np.roll(inside, -1)
-            crosses = (inside > 0.0) != (after > 0.0)
-            step = np.where(crosses, inside / np.where(crosses, inside - after, 1.0), 0.0)
-            both = np.stack([found, found + step * (following - found)], axis=1).ravel()
-            found = both[np.stack([inside > 0.0, crosses], axis=1).ravel()]
+            found = clipped(found, other[k], edges[k])
     return found
 
 
