@@ -99,6 +99,7 @@ OTHER_COLOURS = (
 )
 RED, BLUE = ('<path d="M2 6H22V18H2Z" fill="#ff0000"/>', '<path d="M2 6H22V18H2Z" fill="#0000ff"/>')
 DASHED = '<path d="M2 12H22" fill="none" stroke="#000" stroke-width="3" stroke-dasharray="4 2"/>'
+OTHER_DASHED = '<path d="M12 2V22" fill="none" stroke="#000" stroke-width="2" stroke-dasharray="1 3 2 1"/>'
 SOLID = '<path d="M4 4L20 20" fill="none" stroke="#444" stroke-width="2"/>'
 
 
@@ -191,6 +192,7 @@ PAINTED = {
 CASES = {
     "colours": ([RED, BLUE], ["--ease", "ease"]),
     "dashes": ([SOLID, DASHED], []),
+    "dashes that take each other's place": ([DASHED, OTHER_DASHED], ["--swap", "always"]),
     "holes": ([B, EIGHT], []),
     "an eye that shrinks": ([EYED, LEAF], []),
     "paint and strokes": ([COLOURS, OTHER_COLOURS], []),
@@ -254,6 +256,7 @@ GRADIENTS = {
         ["--stagger", "0.4", "--stagger-by", "size"],
     ),
     "through three": ([ACROSS, BLUE, OVAL], []),
+    "one takes the other's place": ([ACROSS, OVAL], ["--swap", "always"]),
 }
 
 

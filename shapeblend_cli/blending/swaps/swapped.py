@@ -10,14 +10,14 @@ import numpy as np
 
 from shapeblend_cli.geometry.similarity import Similarity
 from shapeblend_cli.interpolate.paths import with_curves
-from shapeblend_cli.model import Box, ShapeBlend
+from shapeblend_cli.model import Box, Pattern, ShapeBlend
 from shapeblend_cli.wires.contour_blends import grow_from_point
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedContour, PlacedDrawing
-    from shapeblend_cli.model import ContourBlend, FloatArray, Shapes
+    from shapeblend_cli.model import ContourBlend, FloatArray, Shapes, Style
     from shapeblend_cli.options.settings import Settings
 
 GONE = 0.46
@@ -36,7 +36,7 @@ GROWS = 15
 """Power of the time, backwards, by which a drawing grows: it is soon large."""
 
 SPECK = 1e-4
-"""Size of the paint of what is gone, as a share of its own: a gradient of size 0 would have no direction."""
+"""Size of the gradients of what is gone, as a share of their own: those of size 0 would have no direction."""
 
 STEPS = np.arange(KNOTS + 1) / KNOTS
 """Even shares of the time that a drawing takes to leave or to come."""
@@ -76,18 +76,28 @@ def swapped(
     leaving, coming = _rooms((a, b), centre)
     paces = _leaving(leaving), _coming(coming)
 
-    # Gradients, patterns and dashes shrink with what they paint.
-    to_speck = Similarity(SPECK, onto=centre, about=centre)
-
     def scaled(side: PlacedDrawing, here: int) -> Iterator[ShapeBlend]:
         blend = partial(grow_from_point, point=centre, of_b=bool(here))
         for shape in shapes_of_one(side, here, blend, curves=settings.curves):
-            style = shape.style_a
-            gone = to_speck.style(style)._replace(stroke_width=0.0, pixel=style.pixel)
+            gone = _as_speck(shape.style_a, centre)
             shape = shape._replace(style_a=gone) if here else shape._replace(style_b=gone)
             yield shape._replace(reason=reason, pace=paces[here])
 
     return (*scaled(a, here=0), *scaled(b, here=1))
+
+
+def _as_speck(style: Style, centre: complex) -> Style:
+    """Return the style of what is gone: strokes and gradients shrink with what they paint.
+
+    Patterns stay, which CSS would move in steps.
+    """
+    gone = (
+        Similarity(SPECK, onto=centre, about=centre)
+        .style(style)
+        ._replace(stroke_width=0.0, pixel=style.pixel)
+    )
+    paints = ("fill_gradient", "stroke_gradient")
+    return gone._replace(**{name: own for name in paints if isinstance(own := getattr(style, name), Pattern)})
 
 
 def shapes_of_one(
