@@ -91,13 +91,15 @@ def _as_speck(style: Style, centre: complex) -> Style:
 
     Patterns stay, which CSS would move in steps.
     """
-    gone = (
-        Similarity(SPECK, onto=centre, about=centre)
-        .style(style)
-        ._replace(stroke_width=0.0, pixel=style.pixel)
+    gone = Similarity(SPECK, onto=centre, about=centre).style(style)
+    fill, stroke = (
+        own if isinstance(own, Pattern) else mapped
+        for own, mapped in (
+            (style.fill_gradient, gone.fill_gradient),
+            (style.stroke_gradient, gone.stroke_gradient),
+        )
     )
-    paints = ("fill_gradient", "stroke_gradient")
-    return gone._replace(**{name: own for name in paints if isinstance(own := getattr(style, name), Pattern)})
+    return gone._replace(stroke_width=0.0, pixel=style.pixel, fill_gradient=fill, stroke_gradient=stroke)
 
 
 def shapes_of_one(
