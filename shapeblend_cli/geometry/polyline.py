@@ -218,8 +218,7 @@ def clipped(polygon: ComplexArray, corner: complex, edge: complex) -> ComplexArr
     ----------
     polygon : (n,) complex
     corner, edge : complex
-        A point of the line, and its direction. What lies in directions up to half a turn from x towards y from there
-        stays.
+        A point of the line, and its direction. What stays is to the right of it where y points down, as in SVG.
 
     Examples
     --------

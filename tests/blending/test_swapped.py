@@ -224,6 +224,17 @@ def test_gradients_shrink_and_grow_with_what_they_paint(paint, changing, where):
             assert np.array(now) == pytest.approx(scale * np.array(then), abs=1e-2)
 
 
+def test_patterns_stay_which_css_would_move_in_steps():
+    tile = (
+        '<pattern id="g" patternUnits="userSpaceOnUse" width="4" height="4"><path d="M0 0H2V2z"/></pattern>'
+    )
+    paths = (f'<path fill="url(#g)" stroke="url(#g)" d="{d}"/>' for d in ("M1 1h21v9h-21z", "M4 2h9v20h-9z"))
+    (pair,), _ = match_all([drawing(tile + path) for path in paths], Settings(swap="always"))
+    for _, whole, here in painted_at(pair, (0.2, 0.4, 0.5)):
+        assert here.fill_gradient == whole.fill_gradient
+        assert here.stroke_gradient == whole.stroke_gradient
+
+
 @pytest.mark.parametrize("effect", ["none", "non-scaling-stroke"])
 def test_dashes_and_widths_of_strokes_shrink_and_grow_with_what_they_paint(effect):
     stroke = f'fill="none" stroke="#000" stroke-width="2" stroke-dasharray="4 2" vector-effect="{effect}"'

@@ -91,15 +91,16 @@ def _as_speck(style: Style, centre: complex) -> Style:
 
     Patterns stay, which CSS would move in steps.
     """
-    gone = Similarity(SPECK, onto=centre, about=centre).style(style)
-    fill, stroke = (
-        own if isinstance(own, Pattern) else mapped
-        for own, mapped in (
-            (style.fill_gradient, gone.fill_gradient),
-            (style.stroke_gradient, gone.stroke_gradient),
-        )
+    gone = (
+        Similarity(SPECK, onto=centre, about=centre)
+        .style(style)
+        ._replace(pixel=style.pixel, stroke_width=0.0)
     )
-    return gone._replace(stroke_width=0.0, pixel=style.pixel, fill_gradient=fill, stroke_gradient=stroke)
+    if isinstance(style.fill_gradient, Pattern):
+        gone = gone._replace(fill_gradient=style.fill_gradient)
+    if isinstance(style.stroke_gradient, Pattern):
+        gone = gone._replace(stroke_gradient=style.stroke_gradient)
+    return gone
 
 
 def shapes_of_one(
