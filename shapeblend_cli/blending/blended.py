@@ -33,7 +33,7 @@ from shapeblend_cli.frames.fades import in_paint_order
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.rotation import is_rotated_copy, rotation_between
 from shapeblend_cli.pairing.changes import are_painted_alike, crossed_out
-from shapeblend_cli.pairing.costs import Rates
+from shapeblend_cli.pairing.costs import FoundWorks, Rates
 from shapeblend_cli.pens.drawings import MOST_LINES, enough_lines, pen_drawing
 from shapeblend_cli.pens.line import UNITS
 from shapeblend_cli.pens.named_lines import wants_lines
@@ -286,9 +286,9 @@ def _paired(a: PlacedDrawing, b: PlacedDrawing, settings: Settings, progress: Pr
     return progress.once("pairs", contours, given, pair)._replace(progress=progress)
 
 
-def _works(a: PlacedDrawing, b: PlacedDrawing, progress: Progress) -> dict[tuple[int, int], float]:
-    """Return the costs of work that pairings of two drawings have found so far, by the numbers of contours."""
-    return progress.once("works", [*a.contours, *b.contours], len(a.contours), dict)
+def _works(a: PlacedDrawing, b: PlacedDrawing, progress: Progress) -> FoundWorks:
+    """Return what pairings of two drawings have found of the costs of work so far."""
+    return progress.once("works", [*a.contours, *b.contours], len(a.contours), lambda: FoundWorks({}, {}))
 
 
 def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:

@@ -17,7 +17,7 @@ from shapeblend_cli.blending.matched import pair_drawings
 from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.model import Box
 from shapeblend_cli.paint.oklab import difference, lightness
-from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, Rates
+from shapeblend_cli.pairing.costs import ALONE_COST, PAINT_WEIGHT, FoundWorks, Rates
 from shapeblend_cli.pairing.riders import riders
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def with_better_pairs(
     usual: Shapes,
     move: Callable[[PairedDrawings], Shapes],
     view: Box,
-    works: dict[tuple[int, int], float],
+    works: FoundWorks,
 ) -> tuple[PairedDrawings, Shapes]:
     """Return paired drawings and their blend, or those of another pairing that the judge prefers in a view.
 
@@ -129,9 +129,7 @@ def with_better_pairs(
     return (other, shapes) if faults_of(shapes, view) < best + STRAYS_FORGIVEN else found
 
 
-def _others(
-    paired: PairedDrawings, works: dict[tuple[int, int], float]
-) -> Iterator[tuple[PairedDrawings, float]]:
+def _others(paired: PairedDrawings, works: FoundWorks) -> Iterator[tuple[PairedDrawings, float]]:
     """Yield other pairings with what they have to gain to be taken, in faults; less than 0 if they may lose."""
     a, b, settings, progress = paired.a, paired.b, paired.settings, paired.progress
     for rates, gain in zip(STRICTER, (PREFERRED, -FORGIVEN, PREFERRED), strict=True):

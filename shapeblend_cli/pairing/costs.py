@@ -74,12 +74,22 @@ MOST_WORKS = 600
 """Maximum number of pairs whose work is compared, about: the cheapest without it."""
 
 
+class FoundWorks(NamedTuple):
+    """What pairings of two drawings have found of the costs of work, by the numbers of contours.
+
+    Of pairs that were not solved in full, it is known beyond which cost they are.
+    """
+
+    costs: dict[tuple[int, int], float]
+    beyond: dict[tuple[int, int], float]
+
+
 class Rates(NamedTuple):
-    """The two costs that decide how unlike partners may be, and costs of work that other pairings have found."""
+    """The two costs that decide how unlike partners may be, and what pairings of the same drawings have found."""
 
     paint: float = PAINT_WEIGHT
     alone: float = ALONE_COST
-    works: dict[tuple[int, int], float] | None = None  # by the numbers of contours of the same two drawings
+    works: FoundWorks | None = None
 
 
 USUAL = Rates()
@@ -205,13 +215,13 @@ def paint_costs(a: Described, b: Described, weight: float) -> FloatArray:
 class Works:
     """Costs of the work between contours, each solved once, when it is wanted."""
 
-    def __init__(self, a: Described, b: Described, known: dict[tuple[int, int], float] | None = None) -> None:
+    def __init__(self, a: Described, b: Described, found: FoundWorks | None = None) -> None:
         self._a, self._b = a, b
         self._costs = np.full((len(a.contours), len(b.contours)), np.nan, (a.areas[:1] + b.areas[:1]).dtype)
         is_crowd = self._costs.size > MANY_PAIRS
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
-        self._known = {} if known is None else known
-        self._beyond: dict[tuple[int, int], float] = {}  # the least cost of pairs not solved in full
+        self._known, self._known_beyond = found or FoundWorks({}, {})
+        self._beyond: dict[tuple[int, int], float] = {}  # the same of this pairing alone
         # Vertices, and how far they turn, by side, index and whether closed.
         self._few: dict[tuple[int, int, bool], tuple[ComplexArray, float]] = {}
 
@@ -241,6 +251,9 @@ class Works:
             return
         limit = np.inf
         if most < WORK_WEIGHT and copies not in self._beyond:
+            if most <= self._known_beyond.get(copies, 0.0):
+                self._beyond[copies] = most
+                return
             limit = WORK_HALF_SATURATION * most / (WORK_WEIGHT - most)
         closed = self._a.contours[i].polygon.closed and self._b.contours[j].polygon.closed
         (p, turning_p), (q, turning_q) = self._outline(0, i, closed), self._outline(1, j, closed)
@@ -248,7 +261,7 @@ class Works:
         if LIKENESS.k_b * abs(turning_p - turning_q) <= limit:  # it bends by no less
             work = work_of_few(p, q, closed, LIKENESS, limit)
         if work == np.inf > limit:
-            self._beyond[copies] = most
+            self._beyond[copies] = self._known_beyond[copies] = most
         else:
             self._known[copies] = WORK_WEIGHT * (1.0 - WORK_HALF_SATURATION / (work + WORK_HALF_SATURATION))
 

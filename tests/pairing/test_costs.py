@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from shapeblend_cli.options.settings import Settings
-from shapeblend_cli.pairing.costs import Works
+from shapeblend_cli.pairing.costs import FoundWorks, Rates, Works
 from shapeblend_cli.pairing.pair import pair_contours
 from shapeblend_cli.wires.rough import work_of_few
 from tests.support.drawings import contours_of
@@ -39,3 +39,21 @@ def test_pairs_are_those_of_works_that_are_all_known(rng, monkeypatch):
     numbers = [[[(p.number, q.number) for p, q in pairs] for pairs in each] for each in found]
     assert numbers[0] == numbers[1]
     assert counts[0] < counts[1]
+
+
+def test_another_pairing_of_the_same_drawings_solves_nothing_again(rng, monkeypatch):
+    solved = []
+    monkeypatch.setattr(
+        "shapeblend_cli.pairing.costs.work_of_few", lambda *given: solved.append(given) or work_of_few(*given)
+    )
+    a, b = (islands(rng, count) for count in (12, 20))
+    alone = pair_contours(a, b, Settings())
+    rates = Rates(works=FoundWorks({}, {}))
+    counts, found = [], []
+    for _ in range(2):
+        solved.clear()
+        found.append(pair_contours(a, b, Settings(), rates=rates))
+        counts.append(len(solved))
+    assert counts[0] > 0 == counts[1]
+    assert rates.works.beyond, "some were not solved in full"
+    assert found == [alone, alone]

@@ -11,6 +11,7 @@ from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import signed_area_of
 from shapeblend_cli.geometry.polyline import are_near, nearest_places
 from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.early import PIECES, SPEED, Early, Ride, points_of
 
 if TYPE_CHECKING:
@@ -106,19 +107,22 @@ def alone_in_the_way(shapes: Sequence[ShapeBlend], side: float) -> frozenset[Num
     contours = [contour for shape in fills for contour in shape.contours]
     if len(contours) > AFFORDABLE or not any(map(_is_alone, contours)):
         return frozenset()
-    moving: list[list[ComplexArray]] = []
+    reach = TOUCHING * side
+    moving: list[list[tuple[ComplexArray, Box]]] = []
     alone: list[tuple[ShapeBlend, ContourBlend, list[ComplexArray]]] = []
     for shape in fills:
         at = [paths_at(shape, t) for t in WATCHED]
         for k, contour in enumerate(shape.contours):
             outlines = [cubics.polyline(paths[k].segments, PIECES) for paths in at]
             if contour.is_matched:
-                moving.append([np.append(outline, outline[0]) for outline in outlines])
+                closed = [np.append(outline, outline[0]) for outline in outlines]
+                moving.append([(outline, Box.around(outline).expanded(2.0 * reach)) for outline in closed])
             elif _is_alone(contour):
                 alone.append((shape, contour, outlines))
 
     def touches(outline: ComplexArray, t: int) -> bool:
-        return any(are_near(outline, other[t], TOUCHING * side).any() for other in moving)
+        box, there = Box.around(outline), [other[t] for other in moving]
+        return any(around.overlaps(box) and are_near(outline, other, reach).any() for other, around in there)
 
     def is_met(contour: ContourBlend, outlines: list[ComplexArray]) -> bool:
         own = len(WATCHED) - 1 if contour.grows else 0
