@@ -18,7 +18,7 @@ from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.geometry.polyline import are_near, cumulative_lengths, points_at
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.alignment import align_contours
-from shapeblend_cli.motion.choose import candidate_of
+from shapeblend_cli.motion.choose import candidate_of, is_edited
 from shapeblend_cli.motion.rigid import Whole
 from shapeblend_cli.pairing.same import same_pairs
 
@@ -108,6 +108,8 @@ def _turned_to_its_axis(
         return as_usual
     axis_a, axis_b = _axis(_points(lines[0])), _axis(_points(lines[1]))
     if axis_a is None or axis_b is None or same_pairs(a.contours, b.contours, ()):
+        return as_usual
+    if all(map(is_edited, as_usual)):  # it is known what becomes what
         return as_usual
     angle = float(np.angle(axis_b / axis_a))  # axes have no direction, so it is a quarter turn at most
     angle -= np.pi * round(angle / np.pi)

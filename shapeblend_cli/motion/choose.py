@@ -20,7 +20,7 @@ from shapeblend_cli.motion.judge import judge_shape
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import Box, ShapeBlend
+    from shapeblend_cli.model import Box, ContourBlend, ShapeBlend
 
 ASKED = "asked for"
 CHANGES_IN_PLACE = "the shape stays in place, except for parts that are added or removed"
@@ -48,6 +48,10 @@ hundreds of shapes would take minutes."""
 
 RIGHT = 0.01
 """Maximum fault of straight paths for which no other motion is tried."""
+
+RIGHT_FOR_EDITED = 0.2
+"""Maximum fault of straight paths for which no other motion is tried on a shape that is another one whose nodes were
+moved: whoever moved them has seen them go straight."""
 
 CHECKED_TIMES = tuple(k / 10 for k in range(1, 10))
 """Times at which outlines are checked for crossings of any size. The judge weighs them by the area that turns over."""
@@ -125,7 +129,24 @@ def judged_straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
 
 def looks_right(straight: ShapeBlend) -> bool:
     """Return whether a judged shape looks right on straight paths."""
-    return straight.candidates[0].wrong <= RIGHT
+    most = RIGHT_FOR_EDITED if is_edited(straight) else RIGHT
+    return straight.candidates[0].wrong <= most
+
+
+def is_edited(shape: ShapeBlend) -> bool:
+    """Return whether a shape of B has the lines and curves of A's, and each becomes its own: nodes of A's were moved.
+
+    Shapes of straight lines alone have as many of these by accident.
+    """
+
+    def is_kept(contour: ContourBlend) -> bool:
+        polygons, contours = (contour.polygon_a, contour.polygon_b), (contour.contour_a, contour.contour_b)
+        counts = {len(contour.correspondence.dots), *(len(polygon.vertices) for polygon in polygons)}
+        curves = [int((~one.straight).sum()) for one in contours]
+        is_same = len(contours[0].segments) == len(contours[1].segments) and curves[0] == curves[1] > 0
+        return is_same and len(counts) == 1
+
+    return all(map(is_kept, shape.contours))
 
 
 def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:

@@ -208,3 +208,15 @@ def test_what_is_its_own_mirror_image_and_stays_is_not_turned_over():
 def laid(*drawings):
     """Drawings, flattened as they lie."""
     return flattened(drawings, [AS_IT_IS] * len(drawings), 0, Kept(0))[0]
+
+
+def test_a_long_drawing_whose_nodes_were_moved_does_not_turn():
+    bow, other = (
+        "M2 12C6 8 16 8 22 12C20 15 17 16 15 14C12 12 6 12 2 12Z",
+        "M3 4C9 5 16 12 18 21C15 22 12 21 11 17C10 12 7 7 3 4Z",
+    )
+    (shape,) = shapes_of(drawing(bow), drawing(other))
+    assert (shape.motion_name, shape.reason) == ("linear", "straight paths look right")
+    cut = bow.replace("C6 8 16 8 22 12", "C4 10 7.5 9 11.5 9C15.5 9 19 10 22 12")
+    (shape,) = shapes_of(drawing(cut), drawing(other.replace("Z", "L3 4.5Z")))
+    assert shape.reason == "a long drawing turns as a whole"
