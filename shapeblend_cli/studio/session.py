@@ -62,11 +62,13 @@ class Session:
         self._seconds = float(project.given.get("timeout") or SECONDS)
         self._megabytes = float(project.given.get("max_memory") or MEGABYTES)
         self._live, self._slow = Process(), Process()
+        self._is_new = True  # nothing was blended yet
 
     def start(self) -> None:
-        """Start the processes, so that the first blend does not wait for them."""
+        """Start the processes, so that a blend does not wait for them; at first only its own, which others slow down."""
         self._live.warm_up()
-        self._slow.warm_up()
+        if not self._is_new:
+            self._slow.warm_up()
 
     def stop(self) -> None:
         """End the processes."""
@@ -131,7 +133,11 @@ class Session:
         if asked.get("is_present"):  # not one that is tried
             self.project = project
             self._saved = project if asked.get("is_saved") else self._saved
-        return self._with_command(project, lambda: self._ask(self._live, self._order("blend", project)))
+        found = self._with_command(project, lambda: self._ask(self._live, self._order("blend", project)))
+        if self._is_new:
+            self._is_new = False
+            self._slow.warm_up()
+        return found
 
     def others(self, asked: Mapping[str, Any]) -> dict[str, Any]:
         """Return other blends of the two drawings, to choose from."""
