@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from shapeblend_cli.anatomy.decompose import PlacedDrawing
-    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, Shapes
+    from shapeblend_cli.model import BoolArray, ComplexArray, ContourBlend, ShapeBlend, Shapes
 
     Blend = Callable[[PlacedDrawing, PlacedDrawing], Shapes]
 
@@ -60,6 +60,9 @@ partners from their own mirror images. Further away, a head becomes a tail, and 
 
 CLEAN = 0.05
 """Maximum fault of the outlines of an ordinary blend that is preferred to turning the drawing over."""
+
+RIGHT_FOR_EDITED = 0.3
+"""Maximum fault of straight paths for which a long drawing whose nodes seem to have been moved does not turn."""
 
 LONG = 2.0
 """Minimum ratio of the spreads of a long drawing along and across its axis."""
@@ -109,7 +112,7 @@ def _turned_to_its_axis(
     axis_a, axis_b = _axis(_points(lines[0])), _axis(_points(lines[1]))
     if axis_a is None or axis_b is None or same_pairs(a.contours, b.contours, ()):
         return as_usual
-    if all(map(is_edited, as_usual)):  # it is known what becomes what
+    if all(map(_is_edited_and_right, as_usual)):
         return as_usual
     angle = float(np.angle(axis_b / axis_a))  # axes have no direction, so it is a quarter turn at most
     angle -= np.pi * round(angle / np.pi)
@@ -124,6 +127,12 @@ def _turned_to_its_axis(
         margin = BETTER * max(1.0, abs(turn) / (0.5 * np.pi))
         tried.append((faults_of(beside, view) + margin, carried(beside, way, POINTS_ELSEWHERE)))
     return min(tried, key=lambda one: one[0])[1]
+
+
+def _is_edited_and_right(shape: ShapeBlend) -> bool:
+    """Return whether nodes of a shape seem to have been moved, and it looks right if they go straight."""
+    taken = shape.taken
+    return is_edited(shape) and shape.motion is None and (taken is None or taken.wrong <= RIGHT_FOR_EDITED)
 
 
 def _axis(points: ComplexArray) -> complex | None:

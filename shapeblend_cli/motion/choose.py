@@ -49,10 +49,6 @@ hundreds of shapes would take minutes."""
 RIGHT = 0.01
 """Maximum fault of straight paths for which no other motion is tried."""
 
-RIGHT_FOR_EDITED = 0.2
-"""Maximum fault of straight paths for which no other motion is tried on a shape that is another one whose nodes were
-moved: whoever moved them has seen them go straight."""
-
 CHECKED_TIMES = tuple(k / 10 for k in range(1, 10))
 """Times at which outlines are checked for crossings of any size. The judge weighs them by the area that turns over."""
 
@@ -61,6 +57,9 @@ CLEAN = 1.35
 
 BETTER = 0.8
 """Maximum fault of another motion, relative to straight paths, to be preferred to them: they are predictable."""
+
+FAR_BETTER = 0.5
+"""The same for shapes that seem to be edited: who moves nodes of a drawing mostly wants them to go straight."""
 
 
 class RotatedShape(NamedTuple):
@@ -129,30 +128,36 @@ def judged_straight(shape: ShapeBlend, view: Box) -> ShapeBlend:
 
 def looks_right(straight: ShapeBlend) -> bool:
     """Return whether a judged shape looks right on straight paths."""
-    most = RIGHT_FOR_EDITED if is_edited(straight) else RIGHT
-    return straight.candidates[0].wrong <= most
+    return straight.candidates[0].wrong <= RIGHT
 
 
 def is_edited(shape: ShapeBlend) -> bool:
-    """Return whether a shape of B has the lines and curves of A's, and each becomes its own: nodes of A's were moved.
+    """Return whether each line or curve of a shape becomes one of B's, node by node, as if nodes had been moved.
 
-    Shapes of straight lines alone have as many of these by accident.
+    Shapes of lines alone do not count: they have as many of them by accident.
     """
+    contours = shape.contours
+    return all(map(_keeps_its_nodes, contours)) and not all(one.contour_a.straight.all() for one in contours)
 
-    def is_kept(contour: ContourBlend) -> bool:
-        polygons, contours = (contour.polygon_a, contour.polygon_b), (contour.contour_a, contour.contour_b)
-        counts = {len(contour.correspondence.dots), *(len(polygon.vertices) for polygon in polygons)}
-        curves = [int((~one.straight).sum()) for one in contours]
-        is_same = len(contours[0].segments) == len(contours[1].segments) and curves[0] == curves[1] > 0
-        return is_same and len(counts) == 1
 
-    return all(map(is_kept, shape.contours))
+def _keeps_its_nodes(contour: ContourBlend) -> bool:
+    """Return whether each vertex becomes another one, nodes become nodes, lines become lines, and curves curves."""
+    a, b = contour.polygon_a, contour.polygon_b
+    i, j = contour.correspondence.dots.T
+    if not len(i) == len(a.vertices) == len(b.vertices):
+        return False
+    nodes = a.parameter[i] == 0.0
+    if (nodes != (b.parameter[j] == 0.0)).any():
+        return False
+    lines = contour.contour_a.straight[a.segment[i[nodes]]], contour.contour_b.straight[b.segment[j[nodes]]]
+    return bool((lines[0] == lines[1]).all())
 
 
 def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> ShapeBlend:
     """Return the best of a judged shape on straight paths and the same shape in other motions."""
     tried = list(straight.candidates)
-    best, least = straight, BETTER * tried[0].wrong
+    better = FAR_BETTER if is_edited(straight) else BETTER
+    best, least = straight, better * tried[0].wrong
     crossed = None
     for motion in ("rigid", "intrinsic"):
         if motion == "rigid" and rotated.is_straight(straight):
@@ -172,15 +177,15 @@ def best_motion(straight: ShapeBlend, rotated: RotatedShape, view: Box) -> Shape
         if crossed and (is_less or not _crosses(candidate)):
             best, least, crossed = candidate, wrong, is_less
     numbers = ", ".join(f"{one.name} {one.wrong:.3f}" for one in tried)
-    return best._replace(reason=f"{_why(best, tried)}: {numbers}", candidates=tuple(tried))
+    return best._replace(reason=f"{_why(best, tried, better)}: {numbers}", candidates=tuple(tried))
 
 
-def _why(best: ShapeBlend, tried: Sequence[Candidate]) -> str:
+def _why(best: ShapeBlend, tried: Sequence[Candidate], better: float) -> str:
     """Return the reason for the best of several motions."""
     least = min(one.wrong for one in tried)
     if any(one.name == best.motion_name and one.wrong == least for one in tried):
         return LEAST
-    return NOT_MUCH_BETTER if best.motion is None and least >= BETTER * tried[0].wrong else OTHERS_CROSS
+    return NOT_MUCH_BETTER if best.motion is None and least >= better * tried[0].wrong else OTHERS_CROSS
 
 
 def _crosses(shape: ShapeBlend) -> bool:

@@ -221,7 +221,7 @@ class Works:
         is_crowd = self._costs.size > MANY_PAIRS
         self._alike = [_alike(side.contours) if is_crowd else range(len(side.contours)) for side in (a, b)]
         self._known, self._known_beyond = found or FoundWorks({}, {})
-        self._beyond: dict[tuple[int, int], float] = {}  # the same of this pairing alone
+        self._beyond: dict[tuple[int, int], float] = {}  # costs beyond which this pairing has asked
         # Vertices, and how far they turn, by side, index and whether closed.
         self._few: dict[tuple[int, int, bool], tuple[ComplexArray, float]] = {}
 

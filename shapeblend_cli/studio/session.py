@@ -62,12 +62,12 @@ class Session:
         self._seconds = float(project.given.get("timeout") or SECONDS)
         self._megabytes = float(project.given.get("max_memory") or MEGABYTES)
         self._live, self._slow = Process(), Process()
-        self._is_new = True  # nothing was blended yet
+        self._has_blended = False
 
     def start(self) -> None:
-        """Start the processes, so that a blend does not wait for them; at first only its own, which others slow down."""
+        """Start the processes, so that nothing waits for them, the slow one after the first blend, which it delays."""
         self._live.warm_up()
-        if not self._is_new:
+        if self._has_blended:
             self._slow.warm_up()
 
     def stop(self) -> None:
@@ -134,8 +134,8 @@ class Session:
             self.project = project
             self._saved = project if asked.get("is_saved") else self._saved
         found = self._with_command(project, lambda: self._ask(self._live, self._order("blend", project)))
-        if self._is_new:
-            self._is_new = False
+        if not self._has_blended and "error" not in found:
+            self._has_blended = True
             self._slow.warm_up()
         return found
 

@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+from shapeblend_cli.blending.pairings import STRICTER
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pairing.costs import FoundWorks, Rates, Works
 from shapeblend_cli.pairing.pair import pair_contours
@@ -41,7 +42,7 @@ def test_pairs_are_those_of_works_that_are_all_known(rng, monkeypatch):
     assert counts[0] < counts[1]
 
 
-def test_another_pairing_of_the_same_drawings_solves_nothing_again(rng, monkeypatch):
+def test_pairings_of_the_same_drawings_share_what_they_found(rng, monkeypatch):
     solved = []
     monkeypatch.setattr(
         "shapeblend_cli.pairing.costs.work_of_few", lambda *given: solved.append(given) or work_of_few(*given)
@@ -57,3 +58,7 @@ def test_another_pairing_of_the_same_drawings_solves_nothing_again(rng, monkeypa
     assert counts[0] > 0 == counts[1]
     assert rates.works.beyond, "some were not solved in full"
     assert found == [alone, alone]
+    for other in STRICTER:
+        assert pair_contours(a, b, Settings(), rates=other._replace(works=rates.works)) == pair_contours(
+            a, b, Settings(), rates=other
+        )
