@@ -311,7 +311,8 @@ def _with_bodies(paired: PairedDrawings, usual: Shapes, view: Box) -> Shapes:
     faults = faults_of(usual, view)
     if faults <= FINE:
         return usual
-    other = pair_drawings(a, b, settings, 0.0, progress, wanted=[numbers])
+    rates = Rates(works=_works(a, b, progress))
+    other = pair_drawings(a, b, settings, 0.0, progress, wanted=[numbers], rates=rates)
     shapes = _blended(other, view)
     return shapes if faults_of(shapes, view) < faults - BETTER else usual
 

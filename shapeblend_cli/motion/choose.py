@@ -59,7 +59,7 @@ BETTER = 0.8
 """Maximum fault of another motion, relative to straight paths, to be preferred to them: they are predictable."""
 
 FAR_BETTER = 0.5
-"""The same for shapes that seem to be edited: who moves nodes of a drawing mostly wants them to go straight."""
+"""The same for shapes that seem to be edited: whoever moves nodes of a drawing mostly wants them to go straight."""
 
 
 class RotatedShape(NamedTuple):

@@ -65,7 +65,7 @@ class Session:
         self._has_blended = False
 
     def start(self) -> None:
-        """Start the processes, so that nothing waits for them, the slow one after the first blend, which it delays."""
+        """Start the processes, so that nothing waits for them. The slow one would delay the first blend, and waits."""
         self._live.warm_up()
         if self._has_blended:
             self._slow.warm_up()

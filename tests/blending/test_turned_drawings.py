@@ -193,6 +193,13 @@ def test_a_long_drawing_whose_ends_are_alike_turns_the_short_way():
     assert [abs(contour.rotation) < 1.0 for contour in shape.contours] == [True]
 
 
+def test_a_long_drawing_whose_nodes_were_moved_does_not_turn_the_long_way_round():
+    hook = "M0 0C-6 5 13 0 18 20C28 57 17 84 44 80C58 79 50 28 41 9C29 -16 3 -2 0 0Z"
+    moved = "M57 19C71 35 100 26 102 39C108 70 69 75 40 41C26 25 18 -19 27 -17C33 -16 38 -3 57 19Z"
+    (shape,) = shapes_of(drawing(hook), drawing(moved))
+    assert shape.motion_name == "linear"
+
+
 def test_a_long_drawing_that_becomes_another_in_its_place_does_not_turn():
     (shape,) = shapes_of(drawing(PENCIL), drawing("M2 4L4 2L18 15L21 21L15 18Z"))
     assert shape.motion_name == "linear"
@@ -208,10 +215,3 @@ def test_what_is_its_own_mirror_image_and_stays_is_not_turned_over():
 def laid(*drawings):
     """Drawings, flattened as they lie."""
     return flattened(drawings, [AS_IT_IS] * len(drawings), 0, Kept(0))[0]
-
-
-def test_a_long_drawing_whose_nodes_were_moved_does_not_turn_the_long_way_round():
-    hook = "M0 0C-6 5 13 0 18 20C28 57 17 84 44 80C58 79 50 28 41 9C29 -16 3 -2 0 0Z"
-    moved = "M57 19C71 35 100 26 102 39C108 70 69 75 40 41C26 25 18 -19 27 -17C33 -16 38 -3 57 19Z"
-    (shape,) = shapes_of(drawing(hook), drawing(moved))
-    assert shape.motion_name == "linear"
