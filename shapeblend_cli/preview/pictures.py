@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -33,7 +32,7 @@ from shapeblend_cli.svg.writing.rounding import number
 
 if TYPE_CHECKING:
     from shapeblend_cli.geometry.similarity import Similarity
-    from shapeblend_cli.model import FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
     from shapeblend_cli.options.easing import Timing
     from shapeblend_cli.options.settings import Settings
 
@@ -209,14 +208,11 @@ def still_paths(frame: Frame, decimals: int) -> list[dict[str, Any]]:
 
 def correspondence_lists(contour: ContourBlend, decimals: int) -> dict[str, Any]:
     """Return which vertices of a contour become which: both lists, the dots, and where these are on the way."""
-    sides = (
-        [rounded((z.real, z.imag), decimals + 1) for z in polygon.vertices.tolist()]
-        for polygon in (contour.polygon_a, contour.polygon_b)
-    )
     return {
-        **dict(zip(("vertices_a", "vertices_b"), sides, strict=True)),
+        "vertices_a": rounded_points(contour.polygon_a.vertices, decimals + 1),
+        "vertices_b": rounded_points(contour.polygon_b.vertices, decimals + 1),
         "dots": contour.correspondence.dots.tolist(),
-        "places": rounded(dot_positions(contour).tolist(), 3),
+        "places": rounded(dot_positions(contour), 3),
     }
 
 
@@ -226,12 +222,17 @@ def scale_and_shift(to_a: Similarity) -> list[float]:
     return [complex(to_a.factor).real, shift.real, shift.imag]
 
 
-def rounded(values: Iterable[float], decimals: int) -> list[float]:
-    """Return numbers as they are written with a number of decimals."""
-    found = [round(value, decimals) + 0.0 for value in values]  # no zero is negative
-    if not all(map(math.isfinite, found)):
+def rounded_points(points: ComplexArray, decimals: int) -> list[list[float]]:
+    """Return points as pairs of numbers that are written with a number of decimals."""
+    return rounded(np.stack([points.real, points.imag], axis=1), decimals)
+
+
+def rounded(values: FloatArray | Sequence[float], decimals: int) -> list[Any]:
+    """Return numbers as they are written with a number of decimals, in lists as the array's."""
+    found = np.round(np.asarray(values), decimals) + 0.0  # no zero is negative
+    if not np.isfinite(found).all():
         raise ValueError(f"{found} cannot be written")
-    return found
+    return found.tolist()
 
 
 def dot_positions(contour: ContourBlend) -> FloatArray:

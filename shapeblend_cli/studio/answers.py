@@ -12,6 +12,8 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from shapeblend_cli.blending.graded import grade_of
 from shapeblend_cli.blending.placing import as_drawn, place
 from shapeblend_cli.errors import OptionError
@@ -28,6 +30,7 @@ from shapeblend_cli.preview.pictures import (
     images_of,
     picture,
     rounded,
+    rounded_points,
     scale_and_shift,
     still_paths,
     timing,
@@ -185,11 +188,8 @@ def _drawing(drawing: Drawing, number: int) -> dict[str, Any]:
             "d": path_data([path], decimals),
             "id": own.id if PLAIN.fullmatch(own.id or "") else None,
             "filled": path.closed or shape.style.fill is not None,
-            "nodes": [rounded((z.real, z.imag), decimals) for z in path.segments[:, 0].tolist()]
-            + (
-                []
-                if path.closed
-                else [rounded((path.segments[-1, 3].real, path.segments[-1, 3].imag), decimals)]
+            "nodes": rounded_points(
+                np.append(path.segments[:, 0], [] if path.closed else path.segments[-1, 3]), decimals
             ),
         }
         for own, shape in zip(drawing.shapes, shapes, strict=True)
