@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from shapeblend_cli.anatomy import decompose
+from shapeblend_cli.anatomy.pieces import with_areas
 from shapeblend_cli.blending.blended import blend_shapes, with_lines_in_common
 from shapeblend_cli.blending.clipping import has_clips, with_clips
 from shapeblend_cli.blending.matched import Progress
@@ -56,7 +57,7 @@ def match_all(
         What was left out, one phrase each.
     """
     clock, kept = clock or Clock(), kept or Kept(0)
-    drawings, specks = without_specks(with_kept_text(drawings, settings), settings)
+    drawings, specks = to_blend(drawings, settings)
     if settings.mix and (len(drawings) > 2 or settings.is_star):
         drawings, left_out = _without_pictures(drawings)
         specks = [*specks, *left_out]
@@ -167,21 +168,22 @@ def _bent(pairs: list[Pair], warp: str) -> tuple[list[Pair], list[str]]:
     return [pair for pair, _ in found], list(dict.fromkeys(note for _, notes in found for note in notes))
 
 
-def with_kept_text(drawings: Sequence[Drawing], settings: Settings) -> Sequence[Drawing]:
+def to_blend(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:
+    """Return what is blended of drawings, with its numbers, and notes on specks that are left out."""
+    drawings = [with_areas(drawing) for drawing in _with_kept_text(drawings, settings)]
+    if settings.specks is None:
+        return drawings, []
+    found = [decompose.without_specks(drawing, settings.specks) for drawing in drawings]
+    return [drawing for drawing, _ in found], [note for _, notes in found for note in notes]
+
+
+def _with_kept_text(drawings: Sequence[Drawing], settings: Settings) -> Sequence[Drawing]:
     """Return drawings with one shape for each text that stays text, if they were read so; mixtures have letters."""
     if settings.mix or not any(shape.whole for shape in drawings[0].shapes):
         return drawings
     from shapeblend_cli.blending.images.kept_text import with_common_texts  # few runs keep text
 
     return with_common_texts(drawings)
-
-
-def without_specks(drawings: Sequence[Drawing], settings: Settings) -> tuple[Sequence[Drawing], list[str]]:
-    """Return drawings without their specks, if these are left out, and notes on them."""
-    if settings.specks is None:
-        return drawings, []
-    found = [decompose.without_specks(drawing, settings.specks) for drawing in drawings]
-    return [drawing for drawing, _ in found], [note for _, notes in found for note in notes]
 
 
 def _mixed(drawings: Sequence[Drawing], settings: Settings) -> tuple[list[Drawing], Settings]:

@@ -29,11 +29,11 @@ ROOMS = {
     "model version",
     "api": "job pipeline outputs wires frames svg.writing options svg.reading paint system errors model version",
     "batch": "rows job blending outputs svg.writing options svg.reading system errors model version",
-    "plot": "job pens wires matching svg.writing options svg.reading geometry system errors model",
+    "plot": "job pens wires matching svg.writing options svg.reading anatomy geometry system errors model",
     "rows": "job options system errors",
     "inkscape": "pipeline outputs frames svg.writing options svg.reading geometry paint svg.xml system errors model",
     "job": "pipeline blending grading pens preview outputs frames matching svg.writing options svg.reading "
-    "interpolate geometry paint system errors model version",
+    "anatomy interpolate geometry paint system errors model version",
     "pipeline": "blending wires frames options anatomy interpolate paint system model",
     "blending": "brushes pens grading pairing wires frames motion options anatomy interpolate images geometry paint "
     "system errors model",
@@ -86,6 +86,7 @@ LIBRARIES = {
     "uharfbuzz": "svg.reading",
     "cython": "geometry images interpolate matching pens system",
     "mapbox_earcut": "images",
+    "pathops": "anatomy",
 }
 SHARED = {"numpy", *sys.stdlib_module_names}
 

@@ -204,7 +204,7 @@ def _flatten_shapes(
     for index, shape in enumerate(drawing.shapes):
         by_shape.append([])
         style = to_a.style(shape.style)
-        if style.stroke is not None and all(_is_straight(each.segments.ravel()) for each in shape.contours):
+        if style.stroke is not None and all(is_straight(each.segments.ravel()) for each in shape.contours):
             style = style._replace(fill=None, fill_gradient=None)  # which paints nothing
         for drawn in shape.contours:
             contour = to_a.contour(_closed_as_seen(drawn, shape.style))
@@ -223,7 +223,7 @@ def _flatten_shapes(
     return by_shape, left_out
 
 
-def _is_straight(points: ComplexArray, breadth: float = 0.0) -> bool:
+def is_straight(points: ComplexArray, breadth: float = 0.0) -> bool:
     """Return whether points lie on one line, or within a distance of it."""
     offsets = points - points[0]
     longest = offsets[np.abs(offsets).argmax()]
@@ -269,7 +269,7 @@ def _closed_as_seen(contour: Contour, style: Style) -> Contour:
         len(segments) < 2
         or is_far
         or style.stroke_dasharray
-        or _is_straight(segments.ravel(), style.stroke_width)
+        or is_straight(segments.ravel(), style.stroke_width)
     ):
         return contour
     last = cubics.line(segments[-1, 0], start) if contour.straight[-1] else [*segments[-1, :3], start]

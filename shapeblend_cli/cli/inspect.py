@@ -134,7 +134,7 @@ def _cells(shape: dict[str, Any]) -> tuple[str, ...]:
 
 
 def _numbers(shape: dict[str, Any]) -> str:
-    first, last = shape["first_contour"], shape["first_contour"] + shape["contours"] - 1
+    first, last = shape["first_contour"], shape["first_contour"] + shape["blended"] - 1
     return f"{first}-{last}" if last > first else f"{first}"
 
 

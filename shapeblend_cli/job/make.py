@@ -8,6 +8,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from shapeblend_cli.anatomy.pieces import with_areas
 from shapeblend_cli.blending.graded import grade_of, is_suspect
 from shapeblend_cli.blending.placing import place
 from shapeblend_cli.blending.swaps.swapped import is_reshaped, is_swapped
@@ -18,7 +19,7 @@ from shapeblend_cli.matching.solve import COMPILED
 from shapeblend_cli.model import Drawing, Pair
 from shapeblend_cli.options.settings import ReadOptions, Settings
 from shapeblend_cli.outputs.formats import STANDARD_OUTPUT
-from shapeblend_cli.pipeline import match_all, with_kept_text, without_specks
+from shapeblend_cli.pipeline import match_all, to_blend
 from shapeblend_cli.svg.reading.read import contents_of, read
 from shapeblend_cli.system.clock import Clock
 from shapeblend_cli.system.kept import Kept
@@ -198,6 +199,7 @@ def read_files(
                 text=options.text,
                 images=options.images,
             )
+            drawing = with_areas(drawing)  # here, so that it is kept, and has one list of contours for all
             if options.images != "beside":  # files beside it may change
                 kept.keep(key, drawing, len(content))
         drawings.append(drawing)
@@ -211,8 +213,8 @@ def read_files(
 def kept_of(
     drawings: Sequence[Drawing], settings: Settings, note: Callable[[str], None]
 ) -> Sequence[Drawing]:
-    """Return what is matched, with its numbers: without specks that are left out, and with text that stays text."""
-    drawings, notes = without_specks(with_kept_text(drawings, settings), settings)
+    """Return what is blended of drawings, with its numbers."""
+    drawings, notes = to_blend(drawings, settings)
     for text in notes:
         note(text)
     return drawings

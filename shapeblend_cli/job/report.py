@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.pieces import with_areas
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.interpolate.paths import paths_at
@@ -128,8 +129,9 @@ def _points(vertices: ComplexArray) -> list[list[float]]:
 
 def inspection(drawing: Drawing) -> dict[str, Any]:
     """Return the shapes of a drawing, ready for JSON; lengths and boxes ignore the width of strokes."""
+    blended = with_areas(drawing)
     lines: dict[int, list[dict[str, Any]]] = {}
-    for line in file_lines(drawing):
+    for line in file_lines(blended):
         found = {
             "name": line.name,
             "width": line.style.stroke_width,
@@ -137,13 +139,16 @@ def inspection(drawing: Drawing) -> dict[str, Any]:
             "cap": line.style.stroke_linecap,
         }
         lines.setdefault(line.shape, []).append(found)
-    counts = [len(shape.contours) for shape in drawing.shapes]
+    counts = [len(shape.contours) for shape in blended.shapes]
     return {
         "file": drawing.file,
         "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
         "shapes": [
-            _shape(shape) | {"first_contour": first, "pen_lines": lines.get(shape.index, [])}
-            for shape, first in zip(drawing.shapes, accumulate(counts, initial=0), strict=False)
+            _shape(shape)
+            | {"first_contour": first, "blended": count, "pen_lines": lines.get(shape.index, [])}
+            for shape, first, count in zip(
+                drawing.shapes, accumulate(counts, initial=0), counts, strict=False
+            )
         ],
     }
 

@@ -222,6 +222,8 @@ class Drawing(NamedTuple):
     notes : tuple of str
         Deviations from a browser, one phrase each.
     page : Page
+    has_areas : bool
+        Whether pieces of fills were joined to the areas that they paint.
     """
 
     file: str
@@ -229,6 +231,7 @@ class Drawing(NamedTuple):
     shapes: tuple[Shape, ...]
     notes: tuple[str, ...] = ()
     page: Page = Page()
+    has_areas: bool = False
 
     @property
     def bytes_of_segments(self) -> int:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.pieces import with_areas
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import polyline_contour, winding_numbers
 from shapeblend_cli.geometry.polyline import nearest_places, thin
@@ -76,6 +77,7 @@ def write_picture(drawing: Drawing, file: str, picture: str, *, force: bool) -> 
 
 def draw(drawing: Drawing) -> str:
     """Return a drawing, pale, with each of its contours and pen lines and their numbers, as a document."""
+    drawing = with_areas(drawing)
     contours = [contour for shape in drawing.shapes for contour in shape.contours]
     box = Box.union([cubics.bounds(contour.segments) for contour in contours])
     box = Box.union([box, drawing.viewbox]) if drawing.viewbox else box

@@ -191,7 +191,7 @@ def test_open_lines_blend_in_the_direction_that_costs_less(here):
 
 
 def test_what_is_left_out_is_said_unless_quiet(here, capsys):
-    write(a=svg(f"{SQUARE} M2 2H4Z"))
+    write(a=svg(SQUARE).replace("</svg>", '<path d="M2 2H4Z"/></svg>'))
     assert run(["a.svg", "b.svg", "-o", "one", "--vertices", "0"]) == 0
     said = capsys.readouterr().err
     assert said == "shapeblend: a.svg: contour 1, closed with 2 distinct vertices, left out\n"

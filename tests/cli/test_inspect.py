@@ -55,12 +55,12 @@ def test_json_and_table_of_transformed_shapes(here, capsys):
         "shapes": [
             {
                 "index": 0, "id": "r", "element": "rect", "contours": 1, "closed": True,
-                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]), "first_contour": 0,
+                "length": pytest.approx(12), "bbox": pytest.approx([5, 5, 9, 7]), "first_contour": 0, "blended": 1,
                 "fill": "#123456", "stroke": None, "fill_rule": "nonzero", "pen_lines": [],
             },
             {
                 "index": 1, "id": None, "element": "path", "contours": 1, "closed": False,
-                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]), "first_contour": 1,
+                "length": pytest.approx(3), "bbox": pytest.approx([5, 5, 8, 5]), "first_contour": 1, "blended": 1,
                 "fill": None, "stroke": "#ff0000", "fill_rule": "nonzero",
                 "pen_lines": [{"name": "1", "width": 1.0, "closed": False, "cap": "butt"}],
             },

@@ -1,0 +1,202 @@
+"""What fills paint: nothing of outlines without an area, and one area of pieces that abut.
+
+Some drawing tools close a path with a line there and back. It paints nothing, but would become something on the way.
+Those that turn a stroke into a fill may write each of its segments, joins and caps as a subpath of its own (Figma
+does). Nobody sees the seams, but pieces would part on the way, and no pen line would be found in them. Nodes within
+an area or at a seam are not the drawing's own, and go.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from shapeblend_cli.anatomy.decompose import is_straight
+from shapeblend_cli.geometry import cubics
+from shapeblend_cli.geometry.polygons import ring_edges, signed_area
+from shapeblend_cli.geometry.raster import winding_grid
+from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.model.arrays import numbered, rolled
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from shapeblend_cli.model import BoolArray, ComplexArray, Drawing, Style
+
+MOST_NODES = 1000
+"""Maximum number of nodes of a shape in pieces: each is compared with each."""
+
+TOLERANCE = 5e-4
+"""Maximum distance of nodes that are one but for rounding, as a share of the shape's larger side."""
+
+THIN = 2e-4
+"""Maximum width of an outline between pieces that is left over by rounding, as a share of the shape's larger side."""
+
+OPPOSITE = -0.99
+"""Maximum cosine of the angle between edges that run along each other in opposite directions."""
+
+CURVE_POINTS = 8
+"""Number of edges of a curved segment."""
+
+GRID = 144
+"""Number of points along the side of the rasters that are compared."""
+
+MOST_UNLIKE = 0.01
+"""Maximum share of a painted area that may change."""
+
+
+def with_areas(drawing: Drawing) -> Drawing:
+    """Return a drawing whose fills have the outlines of what they paint; the same one if all of them have."""
+    if drawing.has_areas:
+        return drawing
+    every = [_painted(shape.contours, shape.style) for shape in drawing.shapes]
+    if all(found is shape.contours for found, shape in zip(every, drawing.shapes, strict=True)):
+        return drawing
+    shapes = (replace(shape, contours=tuple(each)) for shape, each in zip(drawing.shapes, every, strict=True))
+    return drawing._replace(shapes=tuple(shapes), has_areas=True)
+
+
+def _painted(contours: Sequence[Contour], style: Style) -> Sequence[Contour]:
+    """Return the outlines of what a shape paints, if it is a fill without a stroke; else its contours."""
+    if len(contours) < 2 or style.stroke is not None or not all(contour.closed for contour in contours):
+        return contours
+    areas = [each for each in contours if not is_straight(each.segments.ravel())]
+    if 0 < len(areas) < len(contours):  # where nothing has an area, all stay, for a message that names them
+        contours = areas
+    count = _count_nodes(contours)
+    if style.fill_rule != "nonzero" or count > MOST_NODES:
+        return contours
+    size = Box.around(np.concatenate([contour.segments[:, 0] for contour in contours])).larger_side
+    if not _abut(contours, TOLERANCE * size):
+        return contours
+    try:
+        outlines = _united(_snapped(contours, TOLERANCE * size))
+    except ImportError:  # the library has no wheels for Windows on ARM
+        return contours
+    # Pieces that cross each other many times are no pieces of a stroke.
+    if not 0 < len(outlines) <= len(contours) or _count_nodes(outlines) > MOST_NODES:
+        return contours
+    outlines = [each for each in _snapped(outlines, TOLERANCE * size) if not _is_thin(each, THIN * size)]
+    return outlines if outlines and _paint_the_same(contours, outlines) else contours
+
+
+def _count_nodes(contours: Sequence[Contour]) -> int:
+    return sum(len(contour.segments) for contour in contours)
+
+
+def _abut(contours: Sequence[Contour], tolerance: float) -> bool:
+    """Return whether a straight edge runs along one of another contour, the other way, from a point that both have."""
+    edges = np.concatenate([contour.segments[contour.straight] for contour in contours])
+    owner = np.repeat(np.arange(len(contours)), [np.count_nonzero(contour.straight) for contour in contours])
+    length = np.abs(edges[:, 3] - edges[:, 0])
+    is_long = length > 2.0 * tolerance
+    starts, ends, owner = edges[is_long, 0], edges[is_long, 3], owner[is_long]
+    along = (ends - starts) / length[is_long]
+    # Of the ends, sorted by x, each start is compared with those that are near in x.
+    order = np.argsort(ends.real)
+    first, beyond = np.searchsorted(ends.real[order], np.add.outer([-tolerance, tolerance], starts.real))
+    i = np.arange(len(starts)).repeat(beyond - first)
+    j = order[numbered(beyond - first) + first.repeat(beyond - first)]
+    meet = (np.abs(starts[i] - ends[j]) < tolerance) & (owner[i] != owner[j])
+    return bool((meet & ((along[i] * along[j].conj()).real < OPPOSITE)).any())
+
+
+def _snapped(contours: Sequence[Contour], tolerance: float) -> list[Contour]:
+    """Return contours with nodes that are one but for rounding at one place, without those that become points."""
+    nodes = np.concatenate([contour.segments[:, 0] for contour in contours])
+    places = nodes[(np.abs(nodes[:, None] - nodes) < tolerance).argmax(axis=1)]
+    ends = np.cumsum([len(contour.segments) for contour in contours])
+    found = []
+    for contour, starts in zip(contours, np.split(places, ends[:-1]), strict=True):
+        shift = starts - contour.segments[:, 0]
+        moved = contour.segments + np.stack([shift, shift, rolled(shift, -1), rolled(shift, -1)], axis=1)
+        moved[:, 3] = rolled(starts, -1)
+        is_left = (moved[:, 3] != starts) | ~contour.straight & (np.ptp(moved, axis=1) != 0.0)
+        if is_left.any():
+            found.append(_outline(moved[is_left], contour.straight[is_left]))
+    return found
+
+
+def _outline(segments: ComplexArray, straight: BoolArray) -> Contour:
+    """Return a closed contour, straight segments with inner points at thirds; no node at its start within a line."""
+    starts, ends = segments[straight, 0], segments[straight, 3]
+    segments[straight] = starts[:, None] + np.arange(4) / 3.0 * (ends - starts)[:, None]
+    segments[straight, 3] = ends
+    if straight[0] and straight[-1] and len(segments) > 3 and is_straight(segments[[-1, 0, 0], [0, 0, 3]]):
+        whole = np.linspace(segments[-1, 0], segments[0, 3], 4)
+        segments, straight = np.concatenate([[whole], segments[1:-1]]), straight[:-1]
+    return Contour(segments, straight, closed=True)
+
+
+def _united(contours: Sequence[Contour]) -> list[Contour]:
+    """Return the outlines of a union, exteriors one way and holes the other; none if they are not found."""
+    from pathops import Path, PathOpsError, PathVerb
+
+    box = Box.around(np.concatenate([contour.segments.ravel() for contour in contours]))
+    # Its precision is single, and its tolerances are those of pixels.
+    corner, scale = complex(box.x, box.y), 2.0 ** round(6.0 - np.log2(box.larger_side))
+    path = Path()
+    for contour in contours:
+        segments = scale * (contour.segments - corner)
+        path.moveTo(*_pairs(segments[0, :1]))
+        for segment, is_line in zip(segments, contour.straight, strict=True):
+            if is_line:
+                path.lineTo(*_pairs(segment[3:]))
+            else:
+                path.cubicTo(*_pairs(segment[1:]))
+        path.close()
+    try:
+        path.simplify(keep_starting_points=False)
+    except PathOpsError:
+        return []
+    subpaths: list[list[tuple[complex, ...]]] = []
+    at = 0j
+    for verb, pairs in path:
+        points = [complex(x, y) / scale + corner for x, y in pairs]
+        if verb == PathVerb.MOVE:
+            subpaths.append([])
+        elif verb == PathVerb.CLOSE:
+            points = [subpaths[-1][0][0]] if subpaths[-1] else [at]
+        if verb != PathVerb.MOVE and points[-1] != at:
+            subpaths[-1].append((at, *points))
+        at = points[-1]
+    return [
+        _outline(np.stack(list(map(_cubic, each))), np.array([len(segment) == 2 for segment in each]))
+        for each in subpaths
+        if each
+    ]
+
+
+def _cubic(points: tuple[complex, ...]) -> ComplexArray:
+    """Return a line, a quadratic or a cubic as a cubic."""
+    first, *_, last = points
+    if len(points) == 3:
+        return np.array([first, (first + 2.0 * points[1]) / 3.0, (last + 2.0 * points[1]) / 3.0, last])
+    return np.array(np.linspace(first, last, 4) if len(points) == 2 else points, dtype=np.complex128)
+
+
+def _pairs(points: ComplexArray) -> list[float]:
+    return np.ascontiguousarray(points).view(float).tolist()
+
+
+def _is_thin(contour: Contour, width: float) -> bool:
+    """Return whether a closed contour that does not cross itself is no wider than this."""
+    vertices = _polyline(contour)
+    return abs(signed_area(vertices)) <= width * float(np.abs(rolled(vertices, -1) - vertices).sum()) / 2.0
+
+
+def _paint_the_same(one: Sequence[Contour], other: Sequence[Contour]) -> bool:
+    """Return whether contours paint the same but for slivers, seen on a raster."""
+    edges = [ring_edges([_polyline(each) for each in side]) for side in (one, other)]
+    box = Box.around(edges[0][0])
+    corner, step = complex(box.x, box.y), box.larger_side / GRID
+    before, after = (winding_grid(*each, corner, step, GRID) != 0 for each in edges)
+    return int((before != after).sum()) <= MOST_UNLIKE * int(before.sum())
+
+
+def _polyline(contour: Contour) -> ComplexArray:
+    return (
+        contour.segments[:, 0] if contour.straight.all() else cubics.polyline(contour.segments, CURVE_POINTS)
+    )
