@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from shapeblend_cli.anatomy.decompose import EXTERIOR
 from shapeblend_cli.anatomy.letters import has_letters
-from shapeblend_cli.blending.graded import BETTER, FINE, faults_of, in_full_width
+from shapeblend_cli.blending.graded import BETTER, FINE, faults_of, grade_of_shapes, in_full_width
 from shapeblend_cli.blending.matched import match_pairs, pair_drawings, with_reasons
 from shapeblend_cli.blending.moved import move_shapes
 from shapeblend_cli.blending.pairings import with_better_pairs
@@ -24,6 +24,7 @@ from shapeblend_cli.blending.swaps.swapped import ASKED, is_swapped, swapped
 from shapeblend_cli.blending.swaps.unlike import (
     ALL,
     are_too_unlike,
+    ink_in_common,
     ink_of,
     is_hopeless,
 )
@@ -59,6 +60,12 @@ SHIPS = 1.2
 
 LESS = 0.4
 """Minimum advantage of outlines that are not sent back over such lines, in faults."""
+
+CLEAR = 1.1
+"""Maximum grade of a blend by outlines of drawings that would be swapped if they were blended by their lines."""
+
+IN_COMMON = 0.15
+"""Minimum share of the ink of two drawings of lines that both have for them to be blended by outlines, too."""
 
 LEAST_KEPT = 0.42
 """Minimum share of the lines of the drawing with more of them that stays for the drawings never to be swapped."""
@@ -132,7 +139,7 @@ def blend_shapes(
         return shapes
 
     def usual() -> Shapes:
-        return swap(_by_lines_or_outlines(asked, pens, lines, swap))
+        return _by_lines_or_outlines(asked, pens, lines, swap)
 
     is_all_lines = lines is not None and lines.is_sure and not any(lines.rest)
     if is_named or not settings.is_free or is_all_lines:
@@ -220,7 +227,7 @@ def _by_lines_or_outlines(
 ) -> Shapes:
     """Blend two drawings by their pen lines and what is beside these, or by all outlines if that looks better.
 
-    `swap` returns a blend, or one in which the drawings take each other's place.
+    `swap` returns a blend, or if that is too unlike both, one in which the drawings take each other's place.
     """
     view = asked.view
     is_sign = asked.settings.is_free and pens is not None and max(pen.share for pen in pens) >= ALL
@@ -231,7 +238,7 @@ def _by_lines_or_outlines(
         return with_parts_paced(shapes, view.larger_side, kept if is_sign else None, by_size=by_size)
 
     if lines is None:
-        return paced(_by_outlines(asked))
+        return swap(paced(_by_outlines(asked)))
     a, b = (side._replace(contours=left) for side, left in zip(asked[:2], lines.rest, strict=True))
     is_all = not any(lines.rest)
     solid = () if is_all else _by_outlines(asked._replace(a=a, b=b, settings=lines.settings))
@@ -241,17 +248,25 @@ def _by_lines_or_outlines(
         return carried_by_lines(shapes) if asked.settings.is_free else shapes
 
     if lines.is_sure:
-        return together(by_size=True)
+        lined = together(by_size=True)
+        shapes = swap(lined)
+        if is_swapped(shapes) and ink_in_common(lined, view) >= IN_COMMON:
+            outlines = paced(_by_outlines(asked))
+            return outlines if grade_of_shapes(outlines, view) < CLEAR else shapes
+        return shapes
     # Parts that are gone early would hide from the judge what becomes of them.
     plain = together(by_size=False)
     faults = faults_of(in_full_width(plain), view)
     outlines = _by_outlines(asked)
     other = faults_of(paced(outlines, by_size=False), view)
     if other < faults - (LESS if faults >= FAILS and other < SHIPS else MARGIN):
-        return paced(outlines)
-    if is_swapped(given_way := swap(plain)):
-        return given_way
-    return together(by_size=True)
+        return swap(paced(outlines))
+    given_way = swap(plain)
+    shapes = given_way if is_swapped(given_way) else swap(together(by_size=True))
+    if is_swapped(shapes) or is_hopeless(shapes, view):
+        outlines = paced(outlines)
+        return outlines if grade_of_shapes(outlines, view) < CLEAR else shapes
+    return shapes
 
 
 def _by_outlines(asked: _Asked) -> Shapes:

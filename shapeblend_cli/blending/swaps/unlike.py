@@ -199,8 +199,7 @@ def is_hopeless(shapes: Shapes, view: Box) -> bool:
     """
     if not is_faulty(shapes, view):
         return False
-    first, last = ink_of(shapes, view)
-    covered = float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
+    covered = ink_in_common(shapes, view)
     told, bent = grade_of_shapes(shapes, view), _main_bending(shapes)
     limits = [ANY]
     if covered < BADGED and _are_signs(shapes):
@@ -221,6 +220,12 @@ def is_faulty(shapes: Shapes, view: Box) -> bool:
     if any(map(_is_inlaid, shapes)) or all(map(_is_turned_copy, shapes)):
         return False
     return faults_of(shapes, view) >= FAULTY
+
+
+def ink_in_common(shapes: Shapes, view: Box) -> float:
+    """Return which share of what either drawing paints both paint, from 0 to 1."""
+    first, last = ink_of(shapes, view)
+    return float(np.minimum(first, last).sum() / np.maximum(first, last).sum())
 
 
 def ink_of(shapes: Shapes, view: Box) -> tuple[PictureArray, PictureArray]:
