@@ -87,7 +87,7 @@ def _count_nodes(contours: Sequence[Contour]) -> int:
 
 
 def _abut(contours: Sequence[Contour], tolerance: float) -> bool:
-    """Return whether a straight edge runs along one of another contour, the other way, from a point that both have."""
+    """Return whether a straight edge of one contour runs back along one of another, from a node that both have."""
     edges = np.concatenate([contour.segments[contour.straight] for contour in contours])
     owner = np.repeat(np.arange(len(contours)), [np.count_nonzero(contour.straight) for contour in contours])
     length = np.abs(edges[:, 3] - edges[:, 0])
