@@ -65,8 +65,7 @@ def _painted(contours: Sequence[Contour], style: Style) -> Sequence[Contour]:
     areas = [each for each in contours if not is_straight(each.segments.ravel())]
     if 0 < len(areas) < len(contours):  # where nothing has an area, all stay, for a message that names them
         contours = areas
-    count = _count_nodes(contours)
-    if style.fill_rule != "nonzero" or count > MOST_NODES:
+    if style.fill_rule != "nonzero" or _count_nodes(contours) > MOST_NODES:
         return contours
     size = Box.around(np.concatenate([contour.segments[:, 0] for contour in contours])).larger_side
     if not _abut(contours, TOLERANCE * size):
@@ -121,12 +120,12 @@ def _snapped(contours: Sequence[Contour], tolerance: float) -> list[Contour]:
 
 def _outline(segments: ComplexArray, straight: BoolArray) -> Contour:
     """Return a closed contour, straight segments with inner points at thirds; no node at its start within a line."""
-    starts, ends = segments[straight, 0], segments[straight, 3]
-    segments[straight] = starts[:, None] + np.arange(4) / 3.0 * (ends - starts)[:, None]
-    segments[straight, 3] = ends
     if straight[0] and straight[-1] and len(segments) > 3 and is_straight(segments[[-1, 0, 0], [0, 0, 3]]):
-        whole = np.linspace(segments[-1, 0], segments[0, 3], 4)
-        segments, straight = np.concatenate([[whole], segments[1:-1]]), straight[:-1]
+        segments[0, 0] = segments[-1, 0]
+        segments, straight = segments[:-1], straight[:-1]
+    ends = segments[straight, 3:]
+    segments[straight] = cubics.line(segments[straight, :1], ends)
+    segments[straight, 3:] = ends  # exactly, where the next one begins
     return Contour(segments, straight, closed=True)
 
 
@@ -170,11 +169,11 @@ def _united(contours: Sequence[Contour]) -> list[Contour]:
 
 
 def _cubic(points: tuple[complex, ...]) -> ComplexArray:
-    """Return a line, a quadratic or a cubic as a cubic."""
-    first, *_, last = points
-    if len(points) == 3:
-        return np.array([first, (first + 2.0 * points[1]) / 3.0, (last + 2.0 * points[1]) / 3.0, last])
-    return np.array(np.linspace(first, last, 4) if len(points) == 2 else points, dtype=np.complex128)
+    """Return a line, whose inner points are at its ends, a quadratic or a cubic as a cubic."""
+    first, *inner, last = points
+    if len(inner) == 1:
+        inner = [(end + 2.0 * inner[0]) / 3.0 for end in (first, last)]
+    return np.array([first, *(inner or (first, last)), last])
 
 
 def _pairs(points: ComplexArray) -> list[float]:

@@ -227,7 +227,7 @@ def _by_lines_or_outlines(
 ) -> Shapes:
     """Blend two drawings by their pen lines and what is beside these, or by all outlines if that looks better.
 
-    `swap` returns a blend, or if that is too unlike both, one in which the drawings take each other's place.
+    `swap` returns a blend, or if the drawings are too unlike, one in which they take each other's place.
     """
     view = asked.view
     is_sign = asked.settings.is_free and pens is not None and max(pen.share for pen in pens) >= ALL

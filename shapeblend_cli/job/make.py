@@ -199,7 +199,8 @@ def read_files(
                 text=options.text,
                 images=options.images,
             )
-            drawing = with_areas(drawing)  # here, so that it is kept, and has one list of contours for all
+            # Here, so that it is done once for all, and kept.
+            drawing = with_areas(drawing)._replace(has_areas=True)
             if options.images != "beside":  # files beside it may change
                 kept.keep(key, drawing, len(content))
         drawings.append(drawing)

@@ -1,5 +1,6 @@
 """Fills in pieces, and outlines without an area."""
 
+import sys
 from itertools import pairwise
 
 import numpy as np
@@ -14,7 +15,7 @@ from shapeblend_cli.geometry.polygons import signed_area
 from shapeblend_cli.job.report import inspection
 from tests.support.drawings import EVENODD, RING, SQUARES, drawing
 
-# A user's shoulders in six pieces, as Figma exports a stroke of a width of 2: caps, uprights, corners, and what is
+# A user's shoulders in seven pieces, as Figma exports a stroke of a width of 2: caps, uprights, corners, and what is
 # between; the last piece is off by a thousandth, as rounded numbers are.
 SHOULDERS = (
     "M20 18a1 1 0 1 0 2 0zM2 18a1 1 0 1 0 2 0zM21 16h-1v2h2v-2zM3 16h-1v2h2v-2z"
@@ -143,6 +144,6 @@ def test_numbers_are_those_of_areas():
 
 
 def test_without_the_library_pieces_stay_pieces(monkeypatch):
-    monkeypatch.setitem(__import__("sys").modules, "pathops", None)
+    monkeypatch.setitem(sys.modules, "pathops", None)
     given = drawing(SHOULDERS)
     assert with_areas(given) is given
