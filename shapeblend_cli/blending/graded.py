@@ -99,14 +99,14 @@ def _in_full_width(same: _Same) -> Shapes:
     return tuple(found)
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=16)
 def _faults(same: _Same, view: Box) -> float:
     from shapeblend_cli.grading.grade import sum_of_faults  # most blends are not graded
 
     return sum_of_faults(_seen(same, view))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=2)
 def _seen(same: _Same, view: Box) -> Seen:
     """Return what is seen of shapes: of the usual blend it is asked wherever another one is tried."""
     from shapeblend_cli.grading.grade import seen_in  # most blends are not graded

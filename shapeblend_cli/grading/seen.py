@@ -248,7 +248,8 @@ def _asymmetry(pictures: PictureArray) -> FloatArray:
 def regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the numbers of patches of one colour, of holes, and of separate pieces, in each picture."""
     found = []
-    for numbers, inked in zip(_colours(on_white, solid), solid, strict=True):
+    for shown, inked in zip(on_white, solid, strict=True):
+        numbers = _colours(shown, inked)
         patches, holes = count_regions(numbers, LEAST_REGION)
         is_plain = np.array_equal(numbers == numbers.max(), inked)
         pieces = patches if is_plain else count_regions(inked.astype(np.intc), LEAST_REGION)[0]
@@ -258,9 +259,8 @@ def regions(on_white: PictureArray, solid: BoolArray) -> tuple[FloatArray, Float
 
 
 def _colours(on_white: PictureArray, solid: BoolArray) -> IntArray:
-    """Return a number for each colour that can be told apart; 0 where nothing is painted."""
-    steps = np.rint(SHADES * on_white).astype(np.intc)
-    numbers = steps[:, 0]
-    for k in range(1, steps.shape[1]):
-        numbers = numbers * (SHADES + 1) + steps[:, k]
+    """Return a number for each colour of a picture that can be told apart; 0 where nothing is painted."""
+    numbers, *others = np.rint(SHADES * on_white).astype(np.intc)
+    for steps in others:
+        numbers = numbers * (SHADES + 1) + steps
     return np.where(solid, numbers + 1, 0).astype(np.intc, copy=False)
