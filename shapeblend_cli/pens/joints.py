@@ -186,9 +186,13 @@ def _piece(body: PlacedContour, line: PenLine, scale: float) -> PenLine | None:
     if high - low < 0.1 * width:
         return None
     style = line.style._replace(stroke=body.style.fill, stroke_opacity=body.style.fill_opacity)
+    # A ring as wide as its radius, or wider, is a disc.
+    is_whole = line.closed and high - low > whole - 0.1 * width
+    if line.closed:
+        low, high = low % whole, high % whole
     return PenLine(
-        line.part(low % whole if line.closed else low, high % whole if line.closed else high),
-        closed=False,
+        line.points if is_whole else line.part(low, high),
+        closed=is_whole,
         style=style,
         width=width,
         contour=body.number,

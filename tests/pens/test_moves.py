@@ -8,6 +8,7 @@ import pytest
 from shapeblend_cli.frames.frames import frame_at, shapes_at
 from shapeblend_cli.grading.painting import picture
 from shapeblend_cli.interpolate.paths import paths_at
+from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
@@ -282,3 +283,13 @@ def test_a_ring_does_not_unravel_to_one_of_its_sides():
     triangle = "M9 8A1 1 0 0 1 10.5 7.1L16.5 11.1A1 1 0 0 1 16.5 12.9L10.5 16.9A1 1 0 0 1 9 16Z"
     shapes = shapes_of(pen(triangle), pen("M9 7V17", "M15 7V17"))
     assert [shape.reason for shape in shapes] == [COPY] * 2
+
+
+def test_a_ring_without_a_hole_becomes_a_disc_of_its_size_without_moving():
+    ring = '<circle cx="12" cy="12" r="2" fill="none" stroke="#000" stroke-width="4"/>'
+    disc = "M12 8A4 4 0 1 1 12 16A4 4 0 1 1 12 8Z"
+    (pair,), _ = match_all([drawing(ring), drawing(disc)], Settings(place="asis"))
+    whole = picture(shapes_at(pair, 0.0), Box(0.0, 0.0, 24.0, 24.0))
+    for t in (0.3, 0.6, 0.9):
+        now = picture(shapes_at(pair, t), Box(0.0, 0.0, 24.0, 24.0))
+        assert np.abs(now - whole).mean() < 2e-3
