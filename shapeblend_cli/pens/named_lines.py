@@ -104,7 +104,7 @@ def _is_outline(name: str, lines: Lines, drawing: PlacedDrawing) -> bool:
 def _named(name: str, lines: Lines, drawing: PlacedDrawing) -> int | None:
     """Return the index of the longest line with a name, or of a contour or a shape that has this number or id."""
     shapes = drawing.drawing.shapes
-    wanted = {shape.index for shape in shapes if shape.id and shape.id == name.removeprefix("#")}
+    wanted = {k for k, shape in enumerate(shapes) if shape.id and shape.id == name.removeprefix("#")}
     found = [
         k
         for k, line in enumerate(lines)
