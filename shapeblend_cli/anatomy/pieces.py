@@ -9,21 +9,21 @@ an area or at a seam are not the drawing's own, and go.
 from __future__ import annotations
 
 from dataclasses import replace
+from operator import is_
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from shapeblend_cli.anatomy.decompose import is_straight
-from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import ring_edges, signed_area
-from shapeblend_cli.geometry.raster import winding_grid
-from shapeblend_cli.model import Box, Contour
+from shapeblend_cli.anatomy.unions import are_alike, outline, polyline, rasters, united
+from shapeblend_cli.geometry.polygons import signed_area
+from shapeblend_cli.model import Box
 from shapeblend_cli.model.arrays import numbered, rolled
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from shapeblend_cli.model import BoolArray, ComplexArray, Drawing, Style
+    from shapeblend_cli.model import Contour, Drawing, Shape, Style
 
 MOST_NODES = 1000
 """Maximum number of nodes of a shape in pieces: each is compared with each."""
@@ -37,25 +37,25 @@ THIN = 2e-4
 OPPOSITE = -0.99
 """Maximum cosine of the angle between edges that run along each other in opposite directions."""
 
-CURVE_POINTS = 8
-"""Number of edges of a curved segment."""
-
-GRID = 144
-"""Number of points along the side of the rasters that are compared."""
-
-MOST_UNLIKE = 0.01
-"""Maximum share of a painted area that may change."""
-
 
 def with_areas(drawing: Drawing) -> Drawing:
     """Return a drawing whose fills have the outlines of what they paint; the same one if all of them have."""
     if drawing.has_areas:
         return drawing
-    every = [_painted(shape.contours, shape.style) for shape in drawing.shapes]
-    if all(found is shape.contours for found, shape in zip(every, drawing.shapes, strict=True)):
+    shapes = drawing.shapes
+    if any(shape.clips or shape.effects for shape in shapes):
+        from shapeblend_cli.anatomy.masks import unmasked  # few drawings have any
+
+        shapes = unmasked(shapes)
+    found = tuple(_with_area(shape) for shape in shapes)
+    if len(found) == len(drawing.shapes) and all(map(is_, found, drawing.shapes)):
         return drawing
-    shapes = (replace(shape, contours=tuple(each)) for shape, each in zip(drawing.shapes, every, strict=True))
-    return drawing._replace(shapes=tuple(shapes), has_areas=True)
+    return drawing._replace(shapes=found, has_areas=True)
+
+
+def _with_area(shape: Shape) -> Shape:
+    contours = _painted(shape.contours, shape.style)
+    return shape if contours is shape.contours else replace(shape, contours=tuple(contours))
 
 
 def _painted(contours: Sequence[Contour], style: Style) -> Sequence[Contour]:
@@ -71,7 +71,7 @@ def _painted(contours: Sequence[Contour], style: Style) -> Sequence[Contour]:
     if not _abut(contours, TOLERANCE * size):
         return contours
     try:
-        outlines = _united(_snapped(contours, TOLERANCE * size))
+        outlines = united(_snapped(contours, TOLERANCE * size))
     except ImportError:  # the library has no wheels for Windows on ARM
         return contours
     # Pieces that cross each other many times are no pieces of a stroke.
@@ -114,88 +114,16 @@ def _snapped(contours: Sequence[Contour], tolerance: float) -> list[Contour]:
         moved[:, 3] = rolled(starts, -1)
         is_left = (moved[:, 3] != starts) | ~contour.straight & (np.ptp(moved, axis=1) != 0.0)
         if is_left.any():
-            found.append(_outline(moved[is_left], contour.straight[is_left]))
+            found.append(outline(moved[is_left], contour.straight[is_left]))
     return found
-
-
-def _outline(segments: ComplexArray, straight: BoolArray) -> Contour:
-    """Return a closed contour, straight segments with inner points at thirds; no node at its start within a line."""
-    if straight[0] and straight[-1] and len(segments) > 3 and is_straight(segments[[-1, 0, 0], [0, 0, 3]]):
-        segments[0, 0] = segments[-1, 0]
-        segments, straight = segments[:-1], straight[:-1]
-    ends = segments[straight, 3:]
-    segments[straight] = cubics.line(segments[straight, :1], ends)
-    segments[straight, 3:] = ends  # exactly, where the next one begins
-    return Contour(segments, straight, closed=True)
-
-
-def _united(contours: Sequence[Contour]) -> list[Contour]:
-    """Return the outlines of a union, exteriors one way and holes the other; none if they are not found."""
-    from pathops import Path, PathOpsError, PathVerb
-
-    box = Box.around(np.concatenate([contour.segments.ravel() for contour in contours]))
-    # Its precision is single, and its tolerances are those of pixels.
-    corner, scale = complex(box.x, box.y), 2.0 ** round(6.0 - np.log2(box.larger_side))
-    path = Path()
-    for contour in contours:
-        segments = scale * (contour.segments - corner)
-        path.moveTo(*_pairs(segments[0, :1]))
-        for segment, is_line in zip(segments, contour.straight, strict=True):
-            if is_line:
-                path.lineTo(*_pairs(segment[3:]))
-            else:
-                path.cubicTo(*_pairs(segment[1:]))
-        path.close()
-    try:
-        path.simplify(keep_starting_points=False)
-    except PathOpsError:
-        return []
-    subpaths: list[list[tuple[complex, ...]]] = []
-    at = 0j
-    for verb, pairs in path:
-        points = [complex(x, y) / scale + corner for x, y in pairs]
-        if verb == PathVerb.MOVE:
-            subpaths.append([])
-        elif verb == PathVerb.CLOSE:
-            points = [subpaths[-1][0][0]] if subpaths[-1] else [at]
-        if verb != PathVerb.MOVE and points[-1] != at:
-            subpaths[-1].append((at, *points))
-        at = points[-1]
-    return [
-        _outline(np.stack(list(map(_cubic, each))), np.array([len(segment) == 2 for segment in each]))
-        for each in subpaths
-        if each
-    ]
-
-
-def _cubic(points: tuple[complex, ...]) -> ComplexArray:
-    """Return a line, whose inner points are at its ends, a quadratic or a cubic as a cubic."""
-    first, *inner, last = points
-    if len(inner) == 1:
-        inner = [(end + 2.0 * inner[0]) / 3.0 for end in (first, last)]
-    return np.array([first, *(inner or (first, last)), last])
-
-
-def _pairs(points: ComplexArray) -> list[float]:
-    return np.ascontiguousarray(points).view(float).tolist()
 
 
 def _is_thin(contour: Contour, width: float) -> bool:
     """Return whether a closed contour that does not cross itself is no wider than this."""
-    vertices = _polyline(contour)
+    vertices = polyline(contour)
     return abs(signed_area(vertices)) <= width * float(np.abs(rolled(vertices, -1) - vertices).sum()) / 2.0
 
 
 def _paint_the_same(one: Sequence[Contour], other: Sequence[Contour]) -> bool:
     """Return whether contours paint the same but for slivers, seen on a raster."""
-    edges = [ring_edges([_polyline(each) for each in side]) for side in (one, other)]
-    box = Box.around(edges[0][0])
-    corner, step = complex(box.x, box.y), box.larger_side / GRID
-    before, after = (winding_grid(*each, corner, step, GRID) != 0 for each in edges)
-    return int((before != after).sum()) <= MOST_UNLIKE * int(before.sum())
-
-
-def _polyline(contour: Contour) -> ComplexArray:
-    return (
-        contour.segments[:, 0] if contour.straight.all() else cubics.polyline(contour.segments, CURVE_POINTS)
-    )
+    return are_alike(*rasters((one, "nonzero"), (other, "nonzero")))

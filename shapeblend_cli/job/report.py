@@ -129,26 +129,31 @@ def _points(vertices: ComplexArray) -> list[list[float]]:
 
 def inspection(drawing: Drawing) -> dict[str, Any]:
     """Return the shapes of a drawing, ready for JSON; lengths and boxes ignore the width of strokes."""
-    blended = with_areas(drawing)
+    blended = with_areas(drawing).shapes
     lines: dict[int, list[dict[str, Any]]] = {}
-    for line in file_lines(blended):
+    for line in file_lines(drawing._replace(shapes=blended)):
         found = {
             "name": line.name,
             "width": line.style.stroke_width,
             "closed": line.closed,
             "cap": line.style.stroke_linecap,
         }
-        lines.setdefault(line.shape, []).append(found)
-    counts = [len(shape.contours) for shape in blended.shapes]
+        lines.setdefault(blended[line.shape].index, []).append(found)
+    counts = dict.fromkeys((shape.index for shape in drawing.shapes), 0)
+    for shape in blended:
+        counts[shape.index] += len(shape.contours)
+    firsts = accumulate(counts.values(), initial=0)
     return {
         "file": drawing.file,
         "viewbox": list(drawing.viewbox) if drawing.viewbox else None,
         "shapes": [
             _shape(shape)
-            | {"first_contour": first, "blended": count, "pen_lines": lines.get(shape.index, [])}
-            for shape, first, count in zip(
-                drawing.shapes, accumulate(counts, initial=0), counts, strict=False
-            )
+            | {
+                "first_contour": first,
+                "blended": counts[shape.index],
+                "pen_lines": lines.get(shape.index, []),
+            }
+            for shape, first in zip(drawing.shapes, firsts, strict=False)
         ],
     }
 

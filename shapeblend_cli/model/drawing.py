@@ -223,7 +223,7 @@ class Drawing(NamedTuple):
         Deviations from a browser, one phrase each.
     page : Page
     has_areas : bool
-        Whether pieces of fills were joined to the areas that they paint.
+        Whether its shapes are what is blended: pieces of fills joined, and what is seen through masks.
     """
 
     file: str
