@@ -1,9 +1,9 @@
 """What is seen through masks and clip paths, as shapes of its own.
 
-Some icon sets paint each icon as one rectangle behind a mask, and all of its lines are in the mask. Seen through a mask
-that only shows and hides, shapes are what is left of them; through one that is painted without black, all of a
-rectangle in one colour, they are what the mask draws, in this colour. Such shapes become others as any do, whereas
-masks can only fade into each other.
+Some icon sets paint each icon as one rectangle behind a mask, and all of its lines are in the mask. A mask without
+black in front of a rectangle is replaced by the mask's own shapes, in the rectangle's colour. Shapes behind a mask of
+pure black and white are replaced by the parts that show. These shapes blend like any others; masks can only fade into
+each other.
 """
 
 from __future__ import annotations
@@ -17,82 +17,98 @@ import numpy as np
 from shapeblend_cli.anatomy.unions import CUT, GRID, MOST_UNLIKE, Sheet, are_alike, rasters
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.polygons import rectangle
-from shapeblend_cli.model import Box, control_box
+from shapeblend_cli.model import MOST_CONTOURS, UNNAMED, Box, control_box
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from pathops import Path, PathOp
 
-    from shapeblend_cli.model import Clip, CubicPath, Effect, Mask, Paint, Shape, Style
+    from shapeblend_cli.model import Clip, Contour, CubicPath, Effect, Mask, Paint, Shape, Style
 
 MOST_SEGMENTS = 2000
-"""Maximum number of segments of a shape and what it is seen through, and of what is left of it."""
+"""Maximum number of segments and dashes that a drawing is seen through, counted for each shape behind them, and of what
+is left of a shape."""
 
 BRIGHTNESS = np.array([0.2125, 0.7154, 0.0721])
 """Weights of red, green and blue in what a mask shows."""
 
 NEARLY = 0.004
-"""Maximum difference from black or white that is not seen."""
+"""Maximum difference from black or white, and share of a size, that goes unnoticed."""
 
 LEAST_SEEN = 0.07
-"""Minimum difference of opacity that is seen."""
+"""Smallest visible difference of opacity."""
 
 UPRIGHT = 1e-6
 """Maximum slant of the sides of a rectangle, as a share of its larger side."""
 
+NOTHING = 1e-5
+"""Maximum share of a shape's area that is nothing but rounding."""
+
 
 class _Layer(NamedTuple):
-    """What a shape of a mask paints with its fill or its stroke, and what is seen there, from 0 to 1."""
+    """What a shape of a mask paints with its fill or its stroke, and how bright it is, from 0 to 1."""
 
     shape: Shape
     is_stroke: bool
-    shown: float
+    brightness: float
     opacity: float
 
     @property
     def hides(self) -> bool:
         """Whether nothing is seen there."""
-        return self.shown < NEARLY
+        return self.brightness < NEARLY
 
     @property
     def is_hard(self) -> bool:
         """Whether all is seen there, or nothing."""
-        return self.opacity > 1.0 - NEARLY and (self.hides or self.shown > 1.0 - NEARLY)
-
-    def area(self, sheet: Sheet) -> Path:
-        """Return where it paints; dashes are left out."""
-        contours, style = self.shape.contours, self.shape.style
-        return sheet.stroked(contours, style) if self.is_stroke else sheet.area(contours, style.fill_rule)
+        return self.opacity > 1.0 - NEARLY and (self.hides or self.brightness > 1.0 - NEARLY)
 
     @property
     def rule(self) -> str:
         """The rule by which the outlines of its area paint."""
         return "nonzero" if self.is_stroke else self.shape.style.fill_rule
 
+    def area(self, sheet: Sheet) -> Path:
+        """Return where it paints."""
+        contours, style = self.shape.contours, self.shape.style
+        return sheet.stroked(contours, style) if self.is_stroke else sheet.area(contours, style.fill_rule)
+
+
+class _Step(NamedTuple):
+    """An area that is added to what is seen, taken from it, or that limits it."""
+
+    area: Path
+    rule: str
+    how: PathOp
+
 
 def unmasked(shapes: Sequence[Shape]) -> tuple[Shape, ...]:
-    """Return shapes in the order of paint, with what is seen of some as shapes of their own, where that is exact.
+    """Return shapes in the order of paint, some replaced by what is seen of them where that can be told exactly.
 
     These are shapes in plain colours behind masks, and in drawings of one colour also those behind clip paths.
     """
     colours = {paint.colour for shape in shapes for paint in shape.style.paints} - {None}
-    return _unmasked(shapes, is_sign=len(colours) == 1)
+    return _unmasked(shapes, has_one_colour=len(colours) == 1)
 
 
-def _unmasked(shapes: Sequence[Shape], *, is_sign: bool) -> tuple[Shape, ...]:
+def _unmasked(shapes: Sequence[Shape], *, has_one_colour: bool) -> tuple[Shape, ...]:
+    wanted = [
+        _is_plain(shape) and bool(shape.effects or (shape.clips and has_one_colour)) for shape in shapes
+    ]
+    work = sum(_work(shape) for shape, is_wanted in zip(shapes, wanted, strict=True) if is_wanted)
+    if work > MOST_SEGMENTS:
+        return tuple(shapes)
     numbers = [effect.number for shape in shapes for effect in shape.effects]
     found: list[Shape] = []
-    for shape in shapes:
-        seen: list[Shape] | None = None
-        if _is_plain(shape) and (shape.effects or (shape.clips and is_sign)):
-            is_alone = not shape.effects or numbers.count(shape.effects[0].number) == 1
-            try:
-                seen = _seen(shape, is_alone=is_alone)
-            except ImportError:  # the library has no wheels for Windows on ARM
-                return tuple(shapes)
+    for shape, is_wanted in zip(shapes, wanted, strict=True):
+        is_alone = not shape.effects or numbers.count(shape.effects[0].number) == 1
+        try:
+            seen = _seen(shape, is_alone=is_alone) if is_wanted else None
+        except ImportError:  # the library has no wheels for Windows on ARM
+            return tuple(shapes)
         found += [shape] if seen is None else seen
-    return tuple(found)
+    return tuple(found) if sum(len(shape.contours) for shape in found) <= MOST_CONTOURS else tuple(shapes)
 
 
 def _is_plain(shape: Shape) -> bool:
@@ -105,41 +121,50 @@ def _is_plain(shape: Shape) -> bool:
 
 
 def _is_mask(effect: Effect) -> bool:
-    """Return whether an effect is a mask as files have it."""
+    """Return whether an effect is a mask of shapes, and nothing else."""
     mask = effect.mask
-    is_only = effect._replace(mask=None, number=0, place=0, clips=()).is_plain
-    return is_only and mask is not None and len(mask.layers) == 1 and mask.layers[0].content is not None
+    is_no_more = effect._replace(mask=None, number=0, place=0, clips=()).is_plain
+    return is_no_more and mask is not None and len(mask.layers) == 1 and mask.layers[0].content is not None
+
+
+def _work(shape: Shape) -> float:
+    """Return the number of segments and dashes of a shape and of what it is seen through."""
+    paths: list[CubicPath] = [*shape.contours]
+    paths += [path for clip in shape.clips for path in clip.paths]
+    count = float(sum(len(path.segments) for path in paths))
+    if shape.style.stroke_dasharray and shape.style.stroke is not None:
+        length = sum(float(cubics.lengths(contour.segments).sum()) for contour in shape.contours)
+        count += length / sum(shape.style.stroke_dasharray)
+    for effect in shape.effects:
+        count += sum(len(path.segments) for clip in effect.clips for path in clip.paths)
+        content = effect.mask.layers[0].content if effect.mask is not None else None
+        count += sum(map(_work, content.shapes)) if content is not None else 0.0
+    return count
 
 
 def _seen(shape: Shape, *, is_alone: bool) -> list[Shape] | None:
     """Return what is seen of a shape; None where that cannot be told exactly."""
+    if not control_box(shape.contours).larger_side:
+        return None
     mask = shape.effects[0].mask if shape.effects else None
     clips = [*shape.clips, *(shape.effects[0].clips if shape.effects else ())]
-    layers = None if mask is None else _layers(mask)
-    if mask is not None and layers is None:
+    layers = [] if mask is None else _layers(mask)
+    if layers is None:
         return None
-    paths: list[CubicPath] = [*shape.contours]
-    paths += [path for each in layers or () for path in each.shape.contours]
-    paths += [path for clip in clips for path in clip.paths]
-    if sum(len(path.segments) for path in paths) > MOST_SEGMENTS or not control_box(paths[:1]).larger_side:
-        return None
-    if mask is not None and layers and not clips and (is_alone or all(each.is_hard for each in layers)):
+    are_hard = all(each.is_hard for each in layers)
+    if mask is not None and layers and not clips and (is_alone or are_hard):
         drawn = _drawn(shape, mask, layers)
         if drawn is not None:
             return drawn
-    if not all(each.is_hard and not each.shape.style.stroke_dasharray for each in layers or ()):
-        return None
-    if shape.style.stroke is not None and shape.style.stroke_dasharray:
-        return None
-    return _left(shape, mask, layers or [], clips)
+    return _left(shape, mask, layers, clips) if are_hard else None
 
 
 def _layers(mask: Mask) -> list[_Layer] | None:
     """Return what a mask paints, the lowest first; None if that is not all in plain colours."""
     content = mask.layers[0].content
-    assert content is not None  # as it is a mask as files have it
+    assert content is not None, "it is a mask of shapes"
     found = []
-    for shape in _unmasked(content.shapes, is_sign=True):
+    for shape in _unmasked(content.shapes, has_one_colour=True):
         if not _is_plain(shape) or shape.effects or shape.clips:
             return None
         found += [
@@ -162,47 +187,56 @@ def _paints(style: Style) -> list[tuple[Paint, bool]]:
 
 
 def _brightness(paint: Paint) -> float:
-    assert paint.colour is not None  # as it is seen
+    assert paint.colour is not None, "it is seen"
     return min(1.0, float(BRIGHTNESS @ np.frombuffer(bytes.fromhex(paint.colour[1:]), np.uint8)) / 255.0)
 
 
 def _drawn(shape: Shape, mask: Mask, layers: Sequence[_Layer]) -> list[Shape] | None:
-    """Return what a mask draws in the colour of the rectangle behind it; None if that is not the same picture."""
+    """Return the shapes of a mask in the colour of the rectangle behind it; None if that is another picture."""
     style = shape.style
     if style.stroke is not None or style.fill is None or not _is_rectangle(shape):
         return None
     if any(each.hides for each in layers):
         return None
-    around = Box.union([_box(each) for each in layers])
-    if not all(box.contains(around, NEARLY) for box in (control_box(shape.contours), mask.region)):
-        return None
     sheet = Sheet.around(shape.contours, CUT)
-    areas = rasters(
-        (shape.contours, style.fill_rule), *((sheet.outlines(each.area(sheet)), each.rule) for each in layers)
-    )
-    next(areas)
+    outlines = [sheet.outlines(each.area(sheet)) for each in layers]
+    if not all(outlines):
+        return None
+    around = control_box([path for each in outlines for path in each])
+    slack = NEARLY * around.larger_side
+    if not all(box.contains(around, slack) for box in (control_box(shape.contours), mask.region)):
+        return None
     # What the mask lets through, and how much its shapes cover in the colour of the rectangle.
     seen = np.zeros((GRID, GRID))
     painted = np.zeros_like(seen)
+    areas = rasters(around, *((each, layer.rule) for each, layer in zip(outlines, layers, strict=True)))
     for layer, area in zip(layers, areas, strict=True):
-        seen[area] += layer.opacity * (layer.shown - seen[area])
-        opacity = style.fill_opacity * layer.opacity * layer.shown
+        seen[area] += layer.opacity * (layer.brightness - seen[area])
+        opacity = style.fill_opacity * layer.opacity * layer.brightness
         painted[area] += opacity * (1.0 - painted[area])
     is_other = np.abs(style.fill_opacity * seen - painted) > LEAST_SEEN
-    if is_other.sum() > MOST_UNLIKE * (seen > 0.0).sum():
+    if not seen.any() or is_other.sum() > MOST_UNLIKE * (seen > 0.0).sum():
         return None
-    found = []
+    return list(_in_colour(shape, layers))
+
+
+def _in_colour(shape: Shape, layers: Sequence[_Layer]) -> Iterator[Shape]:
+    """Yield the shapes of a mask in the colour of a fill."""
+    is_of_page = "fill" in shape.page_coloured
     for _, group in groupby(layers, key=lambda layer: id(layer.shape)):
         own = list(group)
-        inked = own[0].shape.style._replace(fill=None, stroke=None)
+        style, names = own[0].shape.style._replace(fill=None, stroke=None), []
         for layer in own:
-            opacity = style.fill_opacity * layer.opacity * layer.shown
+            opacity = shape.style.fill_opacity * layer.opacity * layer.brightness
             if layer.is_stroke:
-                inked = inked._replace(stroke=style.fill, stroke_opacity=opacity)
+                style = style._replace(stroke=shape.style.fill, stroke_opacity=opacity)
             else:
-                inked = inked._replace(fill=style.fill, fill_opacity=opacity)
-        found.append(replace(shape, contours=own[0].shape.contours, style=inked, effects=()))
-    return found
+                style = style._replace(fill=shape.style.fill, fill_opacity=opacity)
+            names.append("stroke" if layer.is_stroke else "fill")
+        page_coloured = tuple(sorted(names)) if is_of_page else ()
+        contours = own[0].shape.contours
+        yield replace(shape, contours=contours, style=style, page_coloured=page_coloured, effects=())
+        shape = replace(shape, name=UNNAMED)  # readers are told once what it is
 
 
 def _is_rectangle(shape: Shape) -> bool:
@@ -214,27 +248,6 @@ def _is_rectangle(shape: Shape) -> bool:
     sides = sides[np.abs(sides) > 0.0]
     slant = np.minimum(np.abs(sides.real), np.abs(sides.imag)).max(initial=0.0)
     return len(sides) == 4 and bool(slant <= UPRIGHT * np.abs(sides).max())
-
-
-def _box(layer: _Layer) -> Box:
-    """Return the box around what a layer paints, mitres and all."""
-    box = Box.union([cubics.bounds(contour.segments) for contour in layer.shape.contours])
-    style = layer.shape.style
-    if not layer.is_stroke:
-        return box
-    long = style.stroke_miterlimit if style.stroke_linejoin == "miter" else 1.5
-    has_corners = any(
-        len(contour.segments) > 1 and contour.straight.any() for contour in layer.shape.contours
-    )
-    return box.expanded(style.stroke_width / 2.0 * (long if has_corners else 1.0))
-
-
-class _Step(NamedTuple):
-    """An area that is added to what is seen, taken from it, or all of what is left of it."""
-
-    area: Path
-    rule: str
-    how: PathOp
 
 
 def _steps(
@@ -257,38 +270,86 @@ def _left(
     shape: Shape, mask: Mask | None, layers: Sequence[_Layer], clips: Sequence[Clip]
 ) -> list[Shape] | None:
     """Return what a mask that only shows and hides, and clip paths, leave of a shape; None if that is not found."""
-    from pathops import Path, PathOp, PathOpsError, op
+    from pathops import OpBuilder, PathOp, PathOpsError, op
 
     sheet = Sheet.around(shape.contours, CUT)
     steps = list(_steps(sheet, mask, layers, clips))
-    region, found, is_whole = Path(), [], True
+    region, found, is_cut = OpBuilder(keep_starting_points=False), [], False
+    for step in steps:
+        region.add(step.area, step.how)
     try:
-        for step in steps:
-            region = op(region, step.area, step.how, keep_starting_points=False)
-        for style, whole, rule in _areas(sheet, shape):
-            outlines = sheet.outlines(op(whole, region, PathOp.INTERSECTION, keep_starting_points=False))
+        shown = region.resolve()
+        for layer in (
+            _Layer(shape, is_stroke, 1.0, paint.opacity) for paint, is_stroke in _paints(shape.style)
+        ):
+            whole = layer.area(sheet)
+            left = op(whole, shown, PathOp.INTERSECTION, keep_starting_points=False)
+            lost = op(whole, shown, PathOp.DIFFERENCE, keep_starting_points=False)
+            outlines = sheet.outlines(left)
             if sum(len(path.segments) for path in outlines) > MOST_SEGMENTS:
                 return None
-            parts = ((sheet.outlines(step.area), step.rule) for step in steps)
-            before, after, *others = rasters((sheet.outlines(whole), rule), (outlines, "nonzero"), *parts)
-            seen = np.zeros_like(before)
-            for other, step in zip(others, steps, strict=True):
-                is_taken = step.how == PathOp.DIFFERENCE
-                seen = seen | other if step.how == PathOp.UNION else seen & (other ^ is_taken)
-            # The library is at a loss with some areas, and what it returns is another picture.
-            if not are_alike(before & seen, after):
+            if not _is_right(sheet.outlines(whole), layer.rule, outlines, sheet, steps):
                 return None
-            is_whole &= bool((before <= seen).all())
+            is_cut |= abs(lost.area) > NOTHING * (abs(left.area) + abs(lost.area))
             if outlines:
-                found.append(replace(shape, contours=tuple(outlines), style=style, clips=(), effects=()))
+                found.append(_filled(shape, layer, outlines))
+                shape = replace(shape, name=UNNAMED)
     except PathOpsError:
         return None
-    return [replace(shape, clips=(), effects=())] if is_whole else found or None
+    return (found or None) if is_cut else [replace(shape, clips=(), effects=())]
 
 
-def _areas(sheet: Sheet, shape: Shape) -> Iterator[tuple[Style, Path, str]]:
-    """Yield what a shape paints with its fill and its stroke, each with the style of a fill, and its rule."""
-    bare = shape.style._replace(stroke=None, fill_rule="nonzero")
-    for paint, is_stroke in _paints(shape.style):
-        layer = _Layer(shape, is_stroke, 1.0, paint.opacity)
-        yield bare._replace(fill=paint.colour, fill_opacity=paint.opacity), layer.area(sheet), layer.rule
+def _is_right(
+    whole: Sequence[Contour], rule: str, left: Sequence[Contour], sheet: Sheet, steps: Sequence[_Step]
+) -> bool:
+    """Return whether outlines are what some steps leave of a shape, seen on a raster around what they show.
+
+    The library is at a loss with some areas, and what it returns is another picture.
+    """
+    from pathops import PathOp
+
+    areas = [sheet.outlines(step.area) for step in steps]
+    added = [
+        path for step, paths in zip(steps, areas, strict=True) for path in paths if step.how == PathOp.UNION
+    ]
+    if not whole or not added:
+        return not left
+    box = _common(control_box(whole), control_box(added))
+    if box is None:
+        return not left
+    sides = [
+        (whole, rule),
+        (left, "nonzero"),
+        *((paths, step.rule) for paths, step in zip(areas, steps, strict=True)),
+    ]
+    before, after, *others = rasters(box, *sides)
+    seen = np.zeros_like(before)
+    for other, step in zip(others, steps, strict=True):
+        is_taken = step.how == PathOp.DIFFERENCE
+        seen = seen | other if step.how == PathOp.UNION else seen & (other ^ is_taken)
+    return bool((before & seen).any()) and are_alike(before & seen, after)
+
+
+def _common(one: Box, other: Box) -> Box | None:
+    """Return what two boxes have in common; None if that is nothing."""
+    x, y = max(one.x, other.x), max(one.y, other.y)
+    width = min(one.x + one.width, other.x + other.width) - x
+    height = min(one.y + one.height, other.y + other.height) - y
+    return Box(x, y, width, height) if width > 0.0 and height > 0.0 else None
+
+
+def _filled(shape: Shape, layer: _Layer, outlines: Sequence[Contour]) -> Shape:
+    """Return what is left of a shape's fill or stroke, as a fill."""
+    paint = shape.style.paints[layer.is_stroke]
+    style = shape.style._replace(
+        stroke=None, fill_rule="nonzero", fill=paint.colour, fill_opacity=paint.opacity
+    )
+    is_of_page = ("stroke" if layer.is_stroke else "fill") in shape.page_coloured
+    return replace(
+        shape,
+        contours=tuple(outlines),
+        style=style,
+        page_coloured=("fill",) if is_of_page else (),
+        clips=(),
+        effects=(),
+    )

@@ -126,4 +126,5 @@ def _is_thin(contour: Contour, width: float) -> bool:
 
 def _paint_the_same(one: Sequence[Contour], other: Sequence[Contour]) -> bool:
     """Return whether contours paint the same but for slivers, seen on a raster."""
-    return are_alike(*rasters((one, "nonzero"), (other, "nonzero")))
+    box = Box.around(np.concatenate([polyline(contour) for contour in one]))
+    return are_alike(*rasters(box, (one, "nonzero"), (other, "nonzero")))

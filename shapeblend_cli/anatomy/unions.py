@@ -37,7 +37,7 @@ CUT = 8
 
 
 class Sheet(NamedTuple):
-    """Where areas lie as skia-pathops wants them."""
+    """The mapping from the units of a drawing to sizes that skia-pathops works with."""
 
     corner: complex
     scale: float
@@ -58,7 +58,7 @@ class Sheet(NamedTuple):
         return found
 
     def stroked(self, paths: Sequence[CubicPath], style: Style) -> Path:
-        """Return what paths paint that are stroked; dashes are left out."""
+        """Return what paths paint that are stroked."""
         from pathops import LineCap, LineJoin, Path
 
         found = Path()
@@ -70,7 +70,10 @@ class Sheet(NamedTuple):
         join = {"round": LineJoin.ROUND_JOIN, "bevel": LineJoin.BEVEL_JOIN}.get(
             style.stroke_linejoin, LineJoin.MITER_JOIN
         )
-        found.stroke(self.scale * style.stroke_width, cap, join, style.stroke_miterlimit)
+        dashes = [self.scale * length for length in style.stroke_dasharray]
+        dashes *= 1 + len(dashes) % 2  # an odd number of lengths goes on with gaps and dashes exchanged
+        shift = self.scale * style.stroke_dashoffset
+        found.stroke(self.scale * style.stroke_width, cap, join, style.stroke_miterlimit, dashes, shift)
         found.convertConicsToQuads()
         return found
 
@@ -131,16 +134,14 @@ def outline(segments: ComplexArray, straight: BoolArray) -> Contour:
     return Contour(segments, straight, closed=True)
 
 
-def rasters(*sides: tuple[Sequence[CubicPath], str]) -> Iterator[BoolArray]:
-    """Yield where closed paths paint by their rules, each on a raster of the box around the first ones."""
-    polylines = [[polyline(path) for path in paths] for paths, _ in sides]
-    box = Box.around(np.concatenate(polylines[0]))
+def rasters(box: Box, *sides: tuple[Sequence[CubicPath], str]) -> Iterator[BoolArray]:
+    """Yield where closed paths paint by their rules, each on a raster of a box."""
     corner, step = complex(box.x, box.y), box.larger_side / GRID
-    for each, (_, rule) in zip(polylines, sides, strict=True):
-        if not each:
+    for paths, rule in sides:
+        if not paths:
             yield np.zeros((GRID, GRID), np.bool_)
             continue
-        windings = winding_grid(*ring_edges(each), corner, step, GRID)
+        windings = winding_grid(*ring_edges([polyline(path) for path in paths]), corner, step, GRID)
         yield windings % 2 != 0 if rule == "evenodd" else windings != 0
 
 

@@ -306,7 +306,7 @@ def _blends(
 def _with_masks(start: Effect, end: Effect, inside: Sequence[ShapeBlend]) -> tuple[Effect, Effect]:
     """Return two effects whose masks have the same layers: B's covers A's, and both move with what they mask.
 
-    One of shapes without a partner stays, and moves with them.
+    If none of the shapes has a partner, the mask keeps its layer and moves with them.
     """
     if start.mask == end.mask:
         return start, end
@@ -314,11 +314,16 @@ def _with_masks(start: Effect, end: Effect, inside: Sequence[ShapeBlend]) -> tup
     regions = [mask.region for mask in (start.mask, end.mask) if mask is not None]
     region = Box.union([*regions, *boxes])
     region = region.expanded(ROOM * region.larger_side)
-    if all(None in shape.sources for shape in inside):  # nothing becomes anything else: all of the mask stays
-        of_b = start.mask is None
-        (layer,) = (_drawn(mask, region) for mask in (start.mask, end.mask) if mask is not None)
-        own, moved = (Mask(region, (each,)) for each in (layer, _moved(layer, boxes[of_b], boxes[not of_b])))
-        return start._replace(mask=moved if of_b else own), end._replace(mask=own if of_b else moved)
+    if None in (start.mask, end.mask) and all(None in shape.sources for shape in inside):
+        if start.mask is not None:
+            (layer,) = start.mask.layers
+            layers = layer, _moved(layer, *boxes)
+        else:
+            assert end.mask is not None, "they differ"
+            (layer,) = end.mask.layers
+            layers = _moved(layer, *boxes[::-1]), layer
+        own = [Mask(region, (each,)) for each in layers]
+        return start._replace(mask=own[0]), end._replace(mask=own[1])
     drawn = [_drawn(mask, region) for mask in (start.mask, end.mask)]
     there, back = ([_moved(layer, *way) for layer in drawn] for way in (boxes, boxes[::-1]))
     masks = (

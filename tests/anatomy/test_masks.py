@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from shapeblend_cli.anatomy import masks
 from shapeblend_cli.anatomy.pieces import with_areas
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.frames.frames import frame_at
@@ -61,6 +62,21 @@ def test_what_a_mask_draws_without_black_is_drawn_in_the_colour_behind_it():
     assert dashed[0].style.stroke_dasharray == (2.0,)
 
 
+def test_the_colour_of_the_page_goes_along_to_strokes_and_from_them():
+    page = PAPER.replace("#222", "currentColor")
+    (line,) = seen(masked(stroke("M4 12H20"), behind=page))
+    assert line.page_coloured == ("stroke",)
+    clip = '<clipPath id="c"><circle cx="12" cy="12" r="8"/></clipPath>'
+    (cut,) = seen(svg(clip, stroke("M2 12H22", "currentColor", 'clip-path="url(#c)"')))
+    assert (cut.style.stroke, cut.page_coloured) == (None, ("fill",))
+
+
+def test_readers_are_told_once_what_is_seen():
+    titled = PAPER.replace("/>", "><title>A plus</title></path>")
+    shapes = seen(masked(stroke("M4 12H20"), stroke("M12 4V20"), behind=titled))
+    assert [shape.name.title for shape in shapes] == ["A plus", None]
+
+
 def test_a_fill_with_a_line_of_its_own_in_a_mask_stays_one_shape():
     (shape,) = seen(masked(f'<path fill="#fff" fill-opacity=".25" stroke="#fff" d="{HEART}"/>'))
     assert (shape.style.fill, shape.style.fill_opacity) == ("#222222", pytest.approx(0.25))
@@ -76,6 +92,49 @@ def test_what_is_black_in_a_mask_is_cut_out_and_white_above_it_is_seen():
     assert len(shape.contours) == 4
     areas = [signed_area(contour.segments[:, 0]) for contour in shape.contours]
     assert sum(each > 0.0 for each in areas) == 2
+
+
+def test_thin_cuts_and_thin_lines_that_are_cut_are_seen():
+    cuts = [stroke(f"M2 {y}H22", "#000").replace('width="2"', 'width=".1"') for y in (5, 9, 13, 17)]
+    (shape,) = seen(masked(fill("M2 2H22V22H2Z"), *cuts))
+    assert len(shape.contours) == 5
+    clip = '<clipPath id="c"><circle cx="250" cy="250" r="100"/></clipPath>'
+    line = stroke("M10 250H490", "#222", 'clip-path="url(#c)"')
+    seen(svg(clip, line, viewbox="0 0 500 500"))
+
+
+def test_what_reaches_out_of_the_rectangle_is_cut_off():
+    behind = PAPER.replace("M0 0H24V24H0Z", "M4 4H20V20H4Z")
+    line = stroke("M8 8L17 17", more='stroke-linecap="square"').replace('width="2"', 'width="6"')
+    (shape,) = seen(masked(line, behind=behind))
+    assert shape.style.stroke is None
+
+
+def test_a_large_rectangle_hides_no_difference():
+    behind = '<path d="M-5000 -5000H5000V5000H-5000Z" mask="url(#m)"/>'
+    content = fill("M2 2H16V16H2Z", "#888"), fill("M8 8H22V22H8Z", "#888")
+    region = 'maskUnits="userSpaceOnUse" x="0" y="0" width="24" height="24"'
+    given = read("a.svg", masked(*content, behind=behind, attributes=region).encode())
+    assert with_areas(given) is given
+
+
+@pytest.mark.parametrize(("behind", "squares"), [(3, 300), (12, 14)], ids=["much work", "too many contours"])
+def test_where_masks_would_take_long_or_leave_too_much_they_stay(behind, squares, monkeypatch):
+    monkeypatch.setattr(masks, "MOST_CONTOURS", 10)
+    content = [fill(f"M{x} {y}h.5v.5h-.5z") for x in range(1, 22) for y in range(1, 22)][:squares]
+    bars = "".join(fill(f"M0 {2 * k}H24v2H0Z", "#222") for k in range(behind))
+    document = masked(*content, fill("M1 1h.2v.2h-.2z", "#000"), behind=f'<g mask="url(#m)">{bars}</g>')
+    given = read("a.svg", document.encode())
+    assert with_areas(given) is given
+
+
+def test_dashes_in_black_are_cut_out_as_they_are_painted():
+    dashes = 'stroke-dasharray="4 2 1" stroke-dashoffset="1.5" stroke-linecap="round"'
+    shapes = seen(masked(fill("M2 2H22V22H2Z"), stroke("M4 4H20V20H4Z", "#000", dashes)))
+    assert is_bare(shapes)
+    countless = stroke("M4 4H20V20H4Z", "#000", 'stroke-dasharray="0.01"')
+    given = read("a.svg", masked(fill("M2 2H22V22H2Z"), countless).encode())
+    assert with_areas(given) is given
 
 
 def test_a_mask_of_the_shape_itself_leaves_the_inner_half_of_its_stroke():
@@ -185,6 +244,21 @@ def test_a_mask_that_stays_shrinks_with_a_drawing_that_is_swapped():
     ]
     assert 0.0 < dark[1].sum() < 0.6 * dark[0].sum()
     assert rows[1] == pytest.approx(rows[0], abs=0.1)  # as round as it was
+
+
+def test_masks_that_cross_each_other_blend():
+    """Around what only one drawing has there are then masks of both."""
+    stops = '<stop stop-color="#fff"/><stop offset="1" stop-color="#888"/>'
+    made = "".join(
+        f'<mask id="{name}"><rect width="24" height="24" fill="url(#g)"/></mask>' for name in ("m", "n")
+    )
+    made += f'<linearGradient id="g">{stops}</linearGradient>'
+    made += '<filter id="f"><feGaussianBlur stdDeviation="1"/></filter>'
+    one, other = fill("M2 2H12V12H2Z", "#c00"), fill("M12 12H22V22H12Z", "#00c")
+    a = drawing(made, f'<g filter="url(#f)" mask="url(#m)"><g mask="url(#n)">{one}{other}</g></g>')
+    b = drawing(made, f'<g mask="url(#m)"><g filter="url(#f)" mask="url(#n)">{one}</g></g>')
+    for pair in ([a, b], [b, a]):
+        match_all(pair, Settings())
 
 
 @st.composite

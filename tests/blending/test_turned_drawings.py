@@ -156,10 +156,10 @@ def test_what_is_asked_for_comes_first(settings):
 
 def test_clips_are_turned_over_as_well():
     clip, clipped = '<clipPath id="c"><path d="{}"/></clipPath>', '<path clip-path="url(#c)" d="{}"/>'
-    a = drawing(clip.format("M2 2H18V22H2Z"), clipped.format(KEY))
-    b = drawing(clip.format("M22 2H6V22H22Z"), clipped.format(KEY_MIRRORED))
-    (shape,) = shapes_of(a, b)
-    (clip,) = shape.clips
+    red = '<path fill="#e33" d="M{}Z"/>'  # in one colour, clips are applied
+    a = drawing(clip.format("M2 2H18V22H2Z"), clipped.format(KEY), red.format("2 1H4V2H2"))
+    b = drawing(clip.format("M22 2H6V22H22Z"), clipped.format(KEY_MIRRORED), red.format("22 1H20V2H22"))
+    (clip,) = next(shape.clips for shape in shapes_of(a, b) if shape.clips)
     box = control_box(paths_at(clip.shapes[0], ON_EDGE))
     assert box.width == pytest.approx(1.6, abs=0.01)
 

@@ -386,9 +386,10 @@ DOTS = (
 )
 
 
-@pytest.mark.parametrize(
-    "form", ["{}", '<clipPath id="c">{}</clipPath><path d="M5 5h90v90h-90z" clip-path="url(#c)"/>']
-)
+CLIPPED = '<clipPath id="c">{}</clipPath><path d="M5 5h90v90h-90z" clip-path="url(#c)"/>'
+
+
+@pytest.mark.parametrize("form", ["{}", CLIPPED + '<path fill="#e33" d="M1 1h2v2h-2z"/>'])
 def test_dots_are_animated_and_dots_of_a_clip_path_stay_regions(here, form):
     for name, dots in zip("ab", DOTS, strict=True):
         circles = "".join(f'<circle cx="{x}" cy="{y}" r="{r}"/>' for x, y, r in dots)
