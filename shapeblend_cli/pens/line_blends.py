@@ -22,7 +22,7 @@ from shapeblend_cli.pens.moves import (
     thinned,
 )
 from shapeblend_cli.pens.named_lines import along_wires, required_lines
-from shapeblend_cli.pens.partners import least_work_turned, travelling
+from shapeblend_cli.pens.partners import least_work_turned, sign_in_ring, travelling
 from shapeblend_cli.pens.slashes import crossing_out, slash_among
 from shapeblend_cli.pens.splits import split_moves
 from shapeblend_cli.pens.stays import common_runs, common_shift, stayed
@@ -194,8 +194,10 @@ def line_moves(
     if may_turn:
         moves, a, b = _as_they_are(a, b, [body.polygon.vertices * scale for body in bodies])
     kept = sum(move.a.length for move in moves if move.a)
-    runs = common_runs(a, b)
-    together = _travelling_together(a, b, runs)
+    together = sign_in_ring(a, b) if may_turn else []
+    runs = [] if together else common_runs(a, b)
+    kept += sum(a[pair.a].length for pair in together)
+    together = together or _travelling_together(a, b, runs)
     taken = {pair.a for pair in together}, {pair.b for pair in together}
     runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
     moves += [staying(each, a, b) for each in stayed(a, b, runs)]

@@ -9,6 +9,8 @@ import numpy as np
 
 from shapeblend_cli.geometry.crossings import line_crossings
 from shapeblend_cli.geometry.grouping import assign
+from shapeblend_cli.geometry.polygons import winding_numbers
+from shapeblend_cli.model import Box
 from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, part_of
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
 from shapeblend_cli.pens.moves import alike
@@ -55,6 +57,18 @@ SAME_SHIFT = 0.45
 SAME_LENGTH = 0.08
 """Tolerance of the lengths of lines that only travel, as a share."""
 
+
+LEAST_SHIFT = 0.6
+"""Minimum distance that a place of a sign goes as this leaves its ring, for it not to stay, in units."""
+
+SAME_SIGN = 1.2
+"""Tolerance of the places of a sign in a ring, scaled to the size of the sign without it, in units."""
+
+MOST_SCALED = 3.0
+"""Maximum ratio of the sizes of a sign with and without a ring."""
+
+MOST_STRETCHED = 1.6
+"""Maximum ratio of the scales of such a sign in both directions."""
 
 FEW = 4
 """Maximum number of lines of a drawing that turns while its lines become others."""
@@ -111,6 +125,66 @@ def travelling(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
         if len(group) > 1 and sum(a[i].length for i in group) > sum(a[i].length for i in best):
             best = group
     return list(best.values())
+
+
+def sign_in_ring(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
+    """Return which lines become which where one drawing is the other one in a ring, in another size; else none.
+
+    The ring has no partner. If the sign is a closed line itself, the ring may better become that.
+    """
+    more, fewer = (a, b) if len(a) > len(b) else (b, a)
+    if len(more) != len(fewer) + 1 or not fewer or (len(fewer) == 1 and fewer[0].closed):
+        return []
+    rings = [k for k, line in enumerate(more) if line.closed and _is_around(line, more)]
+    inside = [k for k in range(len(more)) if k not in rings]
+    mapped = _scaled_onto([more[k].drawn for k in inside], [line.drawn for line in fewer])
+    if len(rings) != 1 or mapped is None:
+        return []
+    if max(np.abs(p - more[k].drawn).max() for p, k in zip(mapped, inside, strict=True)) < LEAST_SHIFT:
+        return []
+    apart = np.array([[_apart(p, line) for line in fewer] for p in mapped])
+    found = []
+    for i, j in assign(apart):
+        p, q = more[inside[i]], fewer[j]
+        if apart[i, j] > SAME_SIGN or p.closed != q.closed:
+            return []
+        moved = p._replace(points=mapped[i][: len(p.points)])
+        shares = np.linspace(0.0, 1.0, 17)
+        ways = [other for _, other in ways_between(moved, q)]
+        own = at(mapped[i], shares * length(mapped[i]))
+        points = min(ways, key=lambda other: float(np.abs(own - at(other, shares * length(other))).max()))
+        pair = Partners(inside[i], j, p.outline, points)
+        found.append(pair if more is a else Partners(j, inside[i], points, p.outline))
+    return found
+
+
+def _is_around(ring: PenLine, lines: Sequence[PenLine]) -> bool:
+    """Return whether a ring is around all other lines."""
+    others = [line.points for line in lines if line is not ring]
+    return bool((winding_numbers(np.concatenate(others), ring.points) != 0).all())
+
+
+def _scaled_onto(a: Sequence[ComplexArray], b: Sequence[ComplexArray]) -> list[ComplexArray] | None:
+    """Return polylines scaled so that the box around them becomes that around others; None if that distorts them."""
+    one, other = (Box.around(np.concatenate(list(lines))) for lines in (a, b))
+    scales = [
+        new / old if min(old, new) > LEAST_SHIFT else None
+        for old, new in ((one.width, other.width), (one.height, other.height))
+    ]
+    known = [scale for scale in scales if scale is not None]
+    if not known or max(known) > MOST_STRETCHED * min(known):
+        return None
+    if not 1.0 / MOST_SCALED < min(known) <= max(known) < MOST_SCALED:
+        return None
+    x, y = (known[0] if scale is None else scale for scale in scales)
+    away = (points - one.centre for points in a)
+    return [other.centre + x * each.real + 1j * y * each.imag for each in away]
+
+
+def _apart(points: ComplexArray, line: PenLine) -> float:
+    """Return the largest distance of a polyline and a line from each other."""
+    sides = (points, line.drawn), (line.drawn, points)
+    return max(float(foot_points(evenly(one, 0.5), other)[0].max()) for one, other in sides)
 
 
 def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex]) -> Assignment:

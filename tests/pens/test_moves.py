@@ -13,6 +13,7 @@ from shapeblend_cli.motion.pen import Turning, between
 from shapeblend_cli.options.settings import Settings
 from shapeblend_cli.pens.drawings import file_lines
 from shapeblend_cli.pens.moves import BECOMES, DRAWN_BACK, DRAWN_ON, STAYS, alike, becoming
+from shapeblend_cli.pens.partners import sign_in_ring
 from shapeblend_cli.pens.splits import COPY, SHUT
 from shapeblend_cli.pipeline import match_all
 from shapeblend_cli.svg.reading.read import read
@@ -293,3 +294,50 @@ def test_a_ring_without_a_hole_becomes_a_disc_of_its_size_without_moving():
     for t in (0.3, 0.6, 0.9):
         now = picture(shapes_at(pair, t), Box(0.0, 0.0, 24.0, 24.0))
         assert np.abs(now - whole).mean() < 2e-3
+
+
+CIRCLE = "M12 2A10 10 0 0 1 12 22A10 10 0 0 1 12 2Z"
+
+
+@pytest.mark.parametrize(
+    ("small", "large"),
+    [
+        (["M8 12L11 15L16 9"], ["M3 12L9 18L21 5"]),
+        (["M10 9V15", "M14 9V15"], ["M9 6V18", "M15 6V18"]),
+        (["M8 12H16", "M13 9L16 12L13 15"], ["M4 12H20", "M14 6L20 12L14 18"]),
+    ],
+    ids=["a check mark", "pause", "an arrow"],
+)
+def test_a_sign_leaves_its_ring_and_grows_while_that_is_drawn_back(small, large):
+    there, back = shapes_of(pen(CIRCLE, *small), pen(*large)), shapes_of(pen(*large), pen(CIRCLE, *small))
+    for shapes, gone in ((there, DRAWN_BACK), (back, DRAWN_ON)):
+        reasons = [shape.reason for shape in shapes]
+        assert reasons.count(BECOMES) == len(small)
+        assert reasons.count(gone) == 1
+    # Each place is half way between where it is in both.
+    (first, *_) = [shape for shape in there if shape.reason == BECOMES]
+    ends = [line_at(first, t) for t in (0.0, 0.5, 1.0)]
+    assert ends[1] == pytest.approx((ends[0] + ends[2]) / 2.0, abs=1e-6)
+
+
+def test_a_ring_becomes_a_sign_that_is_a_ring_itself():
+    shapes = shapes_of(pen(CIRCLE, "M9 9H15V15H9Z"), pen("M4 4H20V20H4Z"))
+    (ring,) = [shape for shape in shapes if shape.reason == BECOMES]
+    assert ring.contours[0].a == 0
+
+
+@pytest.mark.parametrize(
+    ("a", "b"),
+    [
+        ([CIRCLE, "M8 12H16"], ["M12 3V21"]),
+        ([CIRCLE, "M8 12L11 15L16 9"], ["M3 6L12 18L21 6"]),
+        ([CIRCLE, "M8 12H16"], ["M8 12H16"]),
+        ([CIRCLE, "M8 12H16", "M12 8V16"], ["M4 12H20"]),
+        (["M2 2H8V8H2Z", "M8 12H16"], ["M4 12H20"]),
+    ],
+    ids=["another bar", "another bend", "one that stays", "one line less", "no ring around it"],
+)
+def test_only_a_sign_that_is_the_same_in_another_size_leaves_its_ring(a, b):
+    sides = [file_lines(pen(*paths)) for paths in (a, b)]
+    assert not sign_in_ring(*sides)
+    assert not sign_in_ring(*sides[::-1])
