@@ -194,20 +194,9 @@ def line_moves(
     if may_turn:
         moves, a, b = _as_they_are(a, b, [body.polygon.vertices * scale for body in bodies])
     kept = sum(move.a.length for move in moves if move.a)
-    together = sign_in_ring(a, b) if may_turn else []
-    runs = [] if together else common_runs(a, b)
-    kept += sum(a[pair.a].length for pair in together)
-    together = together or _travelling_together(a, b, runs)
-    taken = {pair.a for pair in together}, {pair.b for pair in together}
-    runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
-    moves += [staying(each, a, b) for each in stayed(a, b, runs)]
-    moves += [becoming(a[p.a], b[p.b], p.points_a, p.points_b) for p in together]
-    kept = (kept + sum(run.length for run in runs)) / max(shorter, 1e-9)
-    used = {run.a for run in runs} | taken[0], {run.b for run in runs} | taken[1]
-    free = [
-        [line for k, line in enumerate(lines) if k not in done]
-        for lines, done in zip((a, b), used, strict=True)
-    ]
+    whole, length_kept, free = _kept_whole(a, b, may_turn=may_turn)
+    moves += whole
+    kept = (kept + length_kept) / max(shorter, 1e-9)
     slash = slash_among(free[0], free[1], kept)
     crossing = free[slash[0]].pop(slash[1]) if slash else None
     turned = sign_turned(free[0], free[1]) if may_turn else None
@@ -236,6 +225,26 @@ def _as_they_are(
     turned, a, b = turned_among(a, b, bodies)
     slides, a, b = slid_around(a, b, has_more=bool(turned or bodies))
     return turned + slides, a, b
+
+
+def _kept_whole(
+    a: Sequence[PenLine], b: Sequence[PenLine], *, may_turn: bool
+) -> tuple[list[Move], float, list[list[PenLine]]]:
+    """Return how lines move that stay, travel as one or leave a ring, the length that is kept, and the other lines."""
+    ringed = sign_in_ring(a, b) if may_turn else []
+    runs = [] if ringed else common_runs(a, b)
+    together = ringed or _travelling_together(a, b, runs)
+    taken = {pair.a for pair in together}, {pair.b for pair in together}
+    runs = [run for run in runs if run.a not in taken[0] and run.b not in taken[1]]
+    moves = [staying(each, a, b) for each in stayed(a, b, runs)]
+    moves += [becoming(a[p.a], b[p.b], p.points_a, p.points_b) for p in together]
+    kept = sum(run.length for run in runs) + sum(a[pair.a].length for pair in ringed)
+    used = {run.a for run in runs} | taken[0], {run.b for run in runs} | taken[1]
+    free = [
+        [line for k, line in enumerate(lines) if k not in done]
+        for lines, done in zip((a, b), used, strict=True)
+    ]
+    return moves, kept, free
 
 
 def _travelling_together(a: Sequence[PenLine], b: Sequence[PenLine], runs: Sequence[Run]) -> list[Partners]:
