@@ -236,7 +236,7 @@ def _in_colour(shape: Shape, layers: Sequence[_Layer]) -> Iterator[Shape]:
         page_coloured = tuple(sorted(names)) if is_of_page else ()
         contours = own[0].shape.contours
         yield replace(shape, contours=contours, style=style, page_coloured=page_coloured, effects=())
-        shape = replace(shape, name=UNNAMED)  # readers are told once what it is
+        shape = replace(shape, name=UNNAMED)  # readers are told once
 
 
 def _is_rectangle(shape: Shape) -> bool:
@@ -274,7 +274,9 @@ def _left(
 
     sheet = Sheet.around(shape.contours, CUT)
     steps = list(_steps(sheet, mask, layers, clips))
-    region, found, is_cut = OpBuilder(keep_starting_points=False), [], False
+    region = OpBuilder(keep_starting_points=False)
+    found: list[Shape] = []
+    is_cut = False
     for step in steps:
         region.add(step.area, step.how)
     try:
@@ -292,8 +294,10 @@ def _left(
                 return None
             is_cut |= abs(lost.area) > NOTHING * (abs(left.area) + abs(lost.area))
             if outlines:
-                found.append(_filled(shape, layer, outlines))
-                shape = replace(shape, name=UNNAMED)
+                part = _filled(shape, layer, outlines)
+                found.append(
+                    replace(part, name=UNNAMED) if found else part
+                )  # readers are told once what it is
     except PathOpsError:
         return None
     return (found or None) if is_cut else [replace(shape, clips=(), effects=())]

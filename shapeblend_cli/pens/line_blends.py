@@ -96,6 +96,8 @@ def blend_lines(
     rest = one.bodies, other.bodies
     shorter, longer = sorted(sum(line.length for line in drawing.lines) for drawing in (one, other))
     kept_of_longer = kept * shorter / max(longer, 1e-9)  # dots have no length
+    if sign_in_ring(one.lines, other.lines):
+        kept_of_longer = 1.0  # nothing comes or goes but the ring
     return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, kept_of_longer)
 
 

@@ -195,8 +195,9 @@ def test_clip_paths_cut_the_shapes_of_drawings_in_one_colour(colour, is_cut):
 
 def test_a_clip_path_that_cuts_nothing_off_leaves_a_stroke_a_stroke():
     clip = '<clipPath id="c"><circle cx="12" cy="12" r="11"/></clipPath>'
-    (shape,) = seen(svg(clip, stroke("M6 12H18", "#222", 'clip-path="url(#c)"')))
+    (shape,) = seen(svg(clip, stroke("M6 12H18", "#222", 'id="bar" clip-path="url(#c)"')))
     assert is_bare([shape])
+    assert shape.name.id == "bar"
     assert shape.style.stroke == "#222222"
 
 

@@ -305,8 +305,9 @@ CIRCLE = "M12 2A10 10 0 0 1 12 22A10 10 0 0 1 12 2Z"
         (["M8 12L11 15L16 9"], ["M3 12L9 18L21 5"]),
         (["M10 9V15", "M14 9V15"], ["M9 6V18", "M15 6V18"]),
         (["M8 12H16", "M13 9L16 12L13 15"], ["M4 12H20", "M14 6L20 12L14 18"]),
+        (["M8 9H16", "M8 12H16", "M8 15H16"], ["M3 6H21", "M3 12H21", "M3 18H21"]),
     ],
-    ids=["a check mark", "pause", "an arrow"],
+    ids=["a check mark", "pause", "an arrow", "a menu"],
 )
 def test_a_sign_leaves_its_ring_and_grows_while_that_is_drawn_back(small, large):
     there, back = shapes_of(pen(CIRCLE, *small), pen(*large)), shapes_of(pen(*large), pen(CIRCLE, *small))
