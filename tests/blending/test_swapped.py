@@ -571,3 +571,24 @@ def test_anything_can_be_swapped_but_not_mixed_or_staggered():
     for others in ({"mix": ((0.5, 0.5),)}, {"stagger": 0.5}):
         (pair,) = sb.blend(*files, swap="always", **others).pairs
         assert not is_swapped(pair.shapes)
+
+
+DISC = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
+TICK_OUT = "M7 12L11 16L18 8L16.6 6.6L11 13L8.4 10.6Z"
+TICK = "M3 13L9 19L22 6L20.6 4.6L9 16.2L4.4 11.6Z"
+
+
+@pytest.mark.parametrize(
+    ("plate", "sign", "is_given_up"),
+    [
+        (f'<path fill-rule="evenodd" d="{DISC}{TICK_OUT}"/>', TICK, True),
+        (f'<path fill-rule="evenodd" d="{DISC}M11 11H13V13H11Z"/>', TICK, False),
+        (f'<path d="{DISC}"/>', TICK, False),
+        (f'<path fill-rule="evenodd" d="{DISC}M8 8H16V16H8Z"/>', "M5 5H19V19H5Z", False),
+    ],
+    ids=["a tick in a disc", "a hole", "a disc", "a square in a disc"],
+)
+def test_a_plate_with_a_sign_cut_out_makes_room_for_the_sign_alone(plate, sign, is_given_up):
+    for sides in ((plate, sign), (sign, plate)):
+        (pair,), _ = match_all([drawing(side) for side in sides], Settings())
+        assert is_swapped(pair.shapes) == is_given_up

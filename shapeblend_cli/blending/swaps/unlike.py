@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from shapeblend_cli.anatomy.decompose import EXTERIOR, HOLE
 from shapeblend_cli.blending.graded import SWAP_GRADE, faults_of, grade_of_shapes, in_full_width, seen_of
 from shapeblend_cli.blending.swaps.swapped import is_swapped
 from shapeblend_cli.blending.turned_drawings import POINTS_ELSEWHERE
@@ -150,6 +151,15 @@ MOSTLY = 0.6
 SOLID = 0.3
 """Maximum share of the ink of a solid drawing in its lines."""
 
+LINES_OF_SIGN = 4
+"""Maximum number of lines of a sign that becomes a plate with something cut out of it, or comes of one."""
+
+LEAST_CUT_OUT = 0.35
+"""Minimum size of a sign that is cut out of a plate, as a share of the plate's: a hole may be smaller."""
+
+BARELY = 0.25
+"""Maximum share of ink that such a plate and such a sign have in common."""
+
 DETAILED = 4.6
 """Minimum length of the outlines of a solid drawing that cannot shrivel to a single stroke, in sides of the view."""
 
@@ -164,7 +174,11 @@ TURNING = ("rigid", "flip")
 def are_too_unlike(
     a: PlacedDrawing, b: PlacedDrawing, shapes: Shapes, pens: tuple[PenDrawing, PenDrawing], view: Box
 ) -> bool:
-    """Return whether no blend shows what becomes what: of two signs, or of a solid drawing and a single stroke."""
+    """Return whether no blend shows what becomes what.
+
+    That is so of two signs, of a solid drawing and a single stroke, and of a plate with a sign cut out and a sign
+    alone: half way it would be a blot without a sign.
+    """
     if _keep_directions(shapes):
         return False
     first, last = pens
@@ -174,12 +188,25 @@ def are_too_unlike(
     if share >= MOSTLY:
         return _is_sent_back(shapes, first.lines, last.lines, view)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
+    signs = [pen for pen in pens if pen.share >= MOSTLY and len(pen.lines) <= LINES_OF_SIGN]
+    has_open_lines = any(not line.closed for pen in signs for line in pen.lines)
+    if solids and has_open_lines and _is_cut_out(solids[0]) and ink_in_common(shapes, view) < BARELY:
+        return True
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
         return False
     outlines = sum(length(contour.polygon.line) for contour in solids[0].contours)
     faults = faults_of(in_full_width(shapes), view)
     return outlines > DETAILED * view.larger_side and faults >= SENT_BACK
+
+
+def _is_cut_out(solid: PlacedDrawing) -> bool:
+    """Return whether a drawing is one plate with a sign cut out of it."""
+    plates = [contour.box for contour in solid.contours if contour.role == EXTERIOR]
+    holes = [contour.box for contour in solid.contours if contour.role == HOLE]
+    if len(plates) != 1 or not holes:
+        return False
+    return Box.union(holes).larger_side >= LEAST_CUT_OUT * plates[0].larger_side
 
 
 def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine], view: Box) -> bool:
