@@ -575,6 +575,8 @@ def test_anything_can_be_swapped_but_not_mixed_or_staggered():
 
 DISC = "M12 2A10 10 0 1 0 12 22A10 10 0 1 0 12 2Z"
 TICK_OUT = "M7 12L11 16L18 8L16.6 6.6L11 13L8.4 10.6Z"
+BOLD_D = '<path fill-rule="evenodd" d="M3 2H13A10 10 0 0 1 13 22H3ZM8 8H12A4 4 0 0 1 12 16H8Z"/>'
+THIN_D = "M4 2H12A9 10 0 0 1 12 22H4ZM5.5 3.5V20.5H12A7.5 8.5 0 0 0 12 3.5Z"
 TICK = "M3 13L9 19L22 6L20.6 4.6L9 16.2L4.4 11.6Z"
 
 
@@ -585,8 +587,9 @@ TICK = "M3 13L9 19L22 6L20.6 4.6L9 16.2L4.4 11.6Z"
         (f'<path fill-rule="evenodd" d="{DISC}M11 11H13V13H11Z"/>', TICK, False),
         (f'<path d="{DISC}"/>', TICK, False),
         (f'<path fill-rule="evenodd" d="{DISC}M8 8H16V16H8Z"/>', "M5 5H19V19H5Z", False),
+        (BOLD_D, THIN_D, False),
     ],
-    ids=["a tick in a disc", "a hole", "a disc", "a square in a disc"],
+    ids=["a tick in a disc", "a hole", "a disc", "a square in a disc", "a letter in two weights"],
 )
 def test_a_plate_with_a_sign_cut_out_makes_room_for_the_sign_alone(plate, sign, is_given_up):
     for sides in ((plate, sign), (sign, plate)):

@@ -154,6 +154,9 @@ SOLID = 0.3
 LINES_OF_SIGN = 4
 """Maximum number of lines of a sign that becomes a plate with something cut out of it, or comes of one."""
 
+FULL = 0.7
+"""Minimum area of the outline of such a plate, as a share of its box: a disc has .79."""
+
 LEAST_CUT_OUT = 0.35
 """Minimum size of a sign that is cut out of a plate, as a share of the plate's: a hole may be smaller."""
 
@@ -188,9 +191,8 @@ def are_too_unlike(
     if share >= MOSTLY:
         return _is_sent_back(shapes, first.lines, last.lines, view)
     solids = [side for side, pen in zip((a, b), pens, strict=True) if pen.share < SOLID]
-    signs = [pen for pen in pens if pen.share >= MOSTLY and len(pen.lines) <= LINES_OF_SIGN]
-    has_open_lines = any(not line.closed for pen in signs for line in pen.lines)
-    if solids and has_open_lines and _is_cut_out(solids[0]) and ink_in_common(shapes, view) < BARELY:
+    signs = [side for side, pen in zip((a, b), pens, strict=True) if _is_sign(side, pen)]
+    if solids and signs and _is_cut_out(solids[0]) and ink_in_common(shapes, view) < BARELY:
         return True
     strokes = [pen for pen in pens if pen.share >= ALL and [line.closed for line in pen.lines] == [False]]
     if not (solids and strokes):
@@ -200,11 +202,21 @@ def are_too_unlike(
     return outlines > DETAILED * view.larger_side and faults >= SENT_BACK
 
 
+def _is_sign(drawing: PlacedDrawing, pen: PenDrawing) -> bool:
+    """Return whether a drawing is a sign of few lines with ends that surround nothing, unlike many letters."""
+    if pen.share < MOSTLY or len(pen.lines) > LINES_OF_SIGN:
+        return False
+    return all(contour.role != HOLE for contour in drawing.contours) and not all(
+        line.closed for line in pen.lines
+    )
+
+
 def _is_cut_out(solid: PlacedDrawing) -> bool:
     """Return whether a drawing is one plate with a sign cut out of it."""
-    plates = [contour.box for contour in solid.contours if contour.role == EXTERIOR]
+    outlines = [contour for contour in solid.contours if contour.role == EXTERIOR]
+    plates = [contour.box for contour in outlines]
     holes = [contour.box for contour in solid.contours if contour.role == HOLE]
-    if len(plates) != 1 or not holes:
+    if len(plates) != 1 or not holes or outlines[0].area < FULL * plates[0].area:
         return False
     return Box.union(holes).larger_side >= LEAST_CUT_OUT * plates[0].larger_side
 
