@@ -16,7 +16,7 @@ import numpy as np
 
 from shapeblend_cli.anatomy.unions import CUT, GRID, MOST_UNLIKE, Sheet, are_alike, rasters
 from shapeblend_cli.geometry import cubics
-from shapeblend_cli.geometry.polygons import rectangle
+from shapeblend_cli.geometry.polygons import is_rectangle, rectangle
 from shapeblend_cli.model import MOST_CONTOURS, UNNAMED, Box, control_box
 
 if TYPE_CHECKING:
@@ -38,9 +38,6 @@ NEARLY = 0.004
 
 LEAST_SEEN = 0.07
 """Smallest visible difference of opacity."""
-
-UPRIGHT = 1e-6
-"""Maximum slant of the sides of a rectangle, as a share of its larger side."""
 
 NOTHING = 1e-5
 """Maximum share of a shape's area that is nothing but rounding."""
@@ -194,9 +191,9 @@ def _brightness(paint: Paint) -> float:
 def _drawn(shape: Shape, mask: Mask, layers: Sequence[_Layer]) -> list[Shape] | None:
     """Return the shapes of a mask in the colour of the rectangle behind it; None if that is another picture."""
     style = shape.style
-    if style.stroke is not None or style.fill is None or not _is_rectangle(shape):
+    if style.stroke is not None or style.fill is None or len(shape.contours) != 1:
         return None
-    if any(each.hides for each in layers):
+    if not is_rectangle(shape.contours[0]) or any(each.hides for each in layers):
         return None
     sheet = Sheet.around(shape.contours, CUT)
     outlines = [sheet.outlines(each.area(sheet)) for each in layers]
@@ -239,17 +236,6 @@ def _in_colour(shape: Shape, layers: Sequence[_Layer]) -> Iterator[Shape]:
         shape = replace(shape, name=UNNAMED)  # readers are told once
 
 
-def _is_rectangle(shape: Shape) -> bool:
-    """Return whether a shape is an upright rectangle."""
-    if len(shape.contours) != 1 or not shape.contours[0].straight.all():
-        return False
-    nodes = shape.contours[0].segments[:, 0]
-    sides = np.diff(np.append(nodes, nodes[0]))
-    sides = sides[np.abs(sides) > 0.0]
-    slant = np.minimum(np.abs(sides.real), np.abs(sides.imag)).max(initial=0.0)
-    return len(sides) == 4 and bool(slant <= UPRIGHT * np.abs(sides).max())
-
-
 def _steps(
     sheet: Sheet, mask: Mask | None, layers: Sequence[_Layer], clips: Sequence[Clip]
 ) -> Iterator[_Step]:
@@ -274,6 +260,7 @@ def _left(
 
     sheet = Sheet.around(shape.contours, CUT)
     steps = list(_steps(sheet, mask, layers, clips))
+    parts = [(sheet.outlines(step.area), step) for step in steps]
     region = OpBuilder(keep_starting_points=False)
     found: list[Shape] = []
     is_cut = False
@@ -290,45 +277,38 @@ def _left(
             outlines = sheet.outlines(left)
             if sum(len(path.segments) for path in outlines) > MOST_SEGMENTS:
                 return None
-            if not _is_right(sheet.outlines(whole), layer.rule, outlines, sheet, steps):
+            if not _is_right((sheet.outlines(whole), layer.rule), outlines, parts):
                 return None
             is_cut |= abs(lost.area) > NOTHING * (abs(left.area) + abs(lost.area))
             if outlines:
-                part = _filled(shape, layer, outlines)
-                found.append(
-                    replace(part, name=UNNAMED) if found else part
-                )  # readers are told once what it is
+                # Readers are told once what it is.
+                found.append(_filled(replace(shape, name=UNNAMED) if found else shape, layer, outlines))
     except PathOpsError:
         return None
     return (found or None) if is_cut else [replace(shape, clips=(), effects=())]
 
 
 def _is_right(
-    whole: Sequence[Contour], rule: str, left: Sequence[Contour], sheet: Sheet, steps: Sequence[_Step]
+    whole: tuple[Sequence[Contour], str],
+    left: Sequence[Contour],
+    parts: Sequence[tuple[Sequence[Contour], _Step]],
 ) -> bool:
-    """Return whether outlines are what some steps leave of a shape, seen on a raster around what they show.
+    """Return whether outlines are what some steps leave of others, seen on a raster around what they show.
 
     The library is at a loss with some areas, and what it returns is another picture.
     """
     from pathops import PathOp
 
-    areas = [sheet.outlines(step.area) for step in steps]
-    added = [
-        path for step, paths in zip(steps, areas, strict=True) for path in paths if step.how == PathOp.UNION
-    ]
-    if not whole or not added:
+    added = [path for paths, step in parts for path in paths if step.how == PathOp.UNION]
+    if not whole[0] or not added:
         return not left
-    box = _common(control_box(whole), control_box(added))
+    box = _common(control_box(whole[0]), control_box(added))
     if box is None:
         return not left
-    sides = [
-        (whole, rule),
-        (left, "nonzero"),
-        *((paths, step.rule) for paths, step in zip(areas, steps, strict=True)),
-    ]
-    before, after, *others = rasters(box, *sides)
+    areas = ((paths, step.rule) for paths, step in parts)
+    before, after, *others = rasters(box, whole, (left, "nonzero"), *areas)
     seen = np.zeros_like(before)
-    for other, step in zip(others, steps, strict=True):
+    for other, (_, step) in zip(others, parts, strict=True):
         is_taken = step.how == PathOp.DIFFERENCE
         seen = seen | other if step.how == PathOp.UNION else seen & (other ^ is_taken)
     return bool((before & seen).any()) and are_alike(before & seen, after)

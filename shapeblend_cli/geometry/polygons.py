@@ -18,10 +18,13 @@ from shapeblend_cli.model.arrays import rolled
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from shapeblend_cli.model import ComplexArray, FloatArray, IntArray
+    from shapeblend_cli.model import ComplexArray, CubicPath, FloatArray, IntArray
 
 NEARLY_ALL = 0.95
 """Minimum share of the interior of a polygon with crossings round which it runs one way, to have that orientation."""
+
+UPRIGHT = 1e-6
+"""Maximum slant of the sides of an upright rectangle, as a share of its larger side."""
 
 Value = TypeVar("Value")
 
@@ -124,6 +127,14 @@ def rectangle(box: Box) -> Contour:
     left, top, right, bottom = box.bounds
     corners = [complex(left, top), complex(right, top), complex(right, bottom), complex(left, bottom)]
     return polyline_contour(np.array(corners))
+
+
+def is_rectangle(path: CubicPath) -> bool:
+    """Return whether a closed path is an upright rectangle."""
+    nodes = path.segments[:, 0]
+    sides = rolled(nodes, -1) - nodes
+    slant = np.minimum(np.abs(sides.real), np.abs(sides.imag)).max()
+    return len(nodes) == 4 and bool(path.straight.all()) and bool(slant <= UPRIGHT * np.abs(sides).max())
 
 
 def reverse_contour(contour: Contour) -> Contour:

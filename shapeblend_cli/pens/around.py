@@ -9,7 +9,7 @@ import numpy as np
 from shapeblend_cli.geometry.polyline import cumulative_lengths
 from shapeblend_cli.model import Box
 from shapeblend_cli.motion.pen import Pen, Sliding
-from shapeblend_cli.pens.line import evenly, foot_points, length, part_of
+from shapeblend_cli.pens.line import apart, farthest, length, part_of
 from shapeblend_cli.pens.moves import Move, alike
 
 if TYPE_CHECKING:
@@ -26,9 +26,6 @@ SAME_LENGTH = 0.9
 
 NEAR = 0.6
 """Maximum distance of a line from the mirror image of its partner, in units."""
-
-STEP = 0.5
-"""Distance of the places of a line whose distances from another one are looked up, in units."""
 
 IN_LINE = 0.25
 """Maximum distance of an end of one line from the straight line that ends the other one, in units."""
@@ -82,7 +79,7 @@ def _may_go(line: PenLine, others: Sequence[PenLine]) -> bool:
     """Return whether a line is long, open and bent, and not where another one is in the other drawing."""
     if line.closed or len(line.points) < 3 or line.length < LEAST_LENGTH:
         return False
-    return all(_farthest(line.points, other.drawn) > NEAR for other in others)
+    return all(farthest(line.points, other.drawn) > NEAR for other in others)
 
 
 def _around(line: PenLine, other: PenLine) -> list[Move]:
@@ -113,7 +110,7 @@ def _halves(p: ComplexArray, q: ComplexArray, overlap: float) -> list[Sliding] |
         if ((end - next_to_it) * there.conjugate()).real < FACING * abs(end - next_to_it) * abs(gap):
             return None
     mirrored = _mirrored(p, (_centre(p) + _centre(q)) / 2.0, bulge)
-    if _distance(mirrored, q) > NEAR:
+    if apart(mirrored, q) > NEAR:
         return None
     if abs(mirrored[0] - q[0]) > abs(mirrored[0] - q[-1]):
         q = q[::-1]
@@ -149,16 +146,6 @@ def _mirrored(p: ComplexArray, middle: complex, across: complex) -> ComplexArray
     return middle - across * ((p - middle) * across.conjugate()).conjugate()
 
 
-def _distance(p: ComplexArray, q: ComplexArray) -> float:
-    """Return the largest distance of two lines from each other."""
-    return max(_farthest(some, onto) for some, onto in ((p, q), (q, p)))
-
-
-def _farthest(p: ComplexArray, q: ComplexArray) -> float:
-    """Return the largest distance of a line from another one."""
-    return float(foot_points(evenly(p, STEP), q)[0].max())
-
-
 def _centre(p: ComplexArray) -> complex:
     return Box.around(p).centre
 
@@ -169,7 +156,7 @@ def _path(p: ComplexArray, q: ComplexArray) -> Sliding | None:
     if away is None:
         return None
     mirrored = _mirrored(p, (p[-1] + q[0]) / 2.0, away)
-    if _distance(mirrored, q) > NEAR or abs(mirrored[-1] - q[0]) > NEAR:
+    if apart(mirrored, q) > NEAR or abs(mirrored[-1] - q[0]) > NEAR:
         return None
     gap = float(((p[-1] - q[0]) * away.conjugate()).real)
     last, first = p[-1] - p[-2], q[1] - q[0]

@@ -44,6 +44,9 @@ OFF = 0.02
 DRIFT = 0.03
 """Maximum length that a piece with fewer vertices has lost, as a share of it."""
 
+LOOKED_UP = 0.5
+"""Distance of the places of a line whose distances from another one are looked up, in units."""
+
 
 class PenLine(NamedTuple):
     """The centre line of a stroke.
@@ -172,6 +175,16 @@ def evenly(points: ComplexArray, step: float) -> ComplexArray:
     """Return points along a polyline at even lengths of at most `step`, both ends among them."""
     whole = length(points)
     return at(points, np.linspace(0.0, whole, max(2, int(np.ceil(whole / step)) + 1)))
+
+
+def farthest(p: ComplexArray, q: ComplexArray) -> float:
+    """Return the largest distance of a polyline from another one."""
+    return float(foot_points(evenly(p, LOOKED_UP), q)[0].max())
+
+
+def apart(p: ComplexArray, q: ComplexArray) -> float:
+    """Return the largest distance of two polylines from each other."""
+    return max(farthest(some, onto) for some, onto in ((p, q), (q, p)))
 
 
 def begun(points: ComplexArray, share: float) -> ComplexArray:

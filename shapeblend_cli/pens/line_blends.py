@@ -87,7 +87,7 @@ def blend_lines(
     if turned:
         return LineBlend(_shapes(turned, scale, settings), ([], []), settings)
     every = [*one.bodies, *other.bodies]
-    moves, kept = line_moves(one.lines, other.lines, required, settings, scale, bodies=every)
+    moves, kept, leaves_ring = line_moves(one.lines, other.lines, required, settings, scale, bodies=every)
     # A stroke of each file leaves nothing to choose between.
     is_plain = len(one.lines) == len(other.lines) == 1 and not (one.is_recovered or other.is_recovered)
     if is_plain and kept < KEPT and not (is_asked or required.pairs):
@@ -95,9 +95,8 @@ def blend_lines(
     is_sure = is_asked or bool(required.pairs or settings.mix) or min(one.share, other.share) >= ALL
     rest = one.bodies, other.bodies
     shorter, longer = sorted(sum(line.length for line in drawing.lines) for drawing in (one, other))
-    kept_of_longer = kept * shorter / max(longer, 1e-9)  # dots have no length
-    if sign_in_ring(one.lines, other.lines):
-        kept_of_longer = 1.0  # nothing comes or goes but the ring
+    # Dots have no length. Of a sign that leaves a ring nothing is lost.
+    kept_of_longer = 1.0 if leaves_ring else kept * shorter / max(longer, 1e-9)
     return LineBlend(_shapes(moves, scale, settings), rest, required.left, is_sure, kept, kept_of_longer)
 
 
@@ -172,8 +171,10 @@ def line_moves(
     scale: float,
     *,
     bodies: Sequence[PlacedContour] = (),
-) -> tuple[list[Move], float]:
+) -> tuple[list[Move], float, bool]:
     """Return how the lines of one drawing become those of the other, and the share of their length that stays.
+
+    The last is whether one drawing is the other one in a ring, in another size.
 
     `bodies` are what is no line in both drawings.
     """
@@ -196,7 +197,8 @@ def line_moves(
     if may_turn:
         moves, a, b = _as_they_are(a, b, [body.polygon.vertices * scale for body in bodies])
     kept = sum(move.a.length for move in moves if move.a)
-    whole, length_kept, free = _kept_whole(a, b, may_turn=may_turn)
+    ringed = sign_in_ring(a, b) if may_turn else []
+    whole, length_kept, free = _kept_whole(a, b, ringed)
     moves += whole
     kept = (kept + length_kept) / max(shorter, 1e-9)
     slash = slash_among(free[0], free[1], kept)
@@ -217,7 +219,8 @@ def line_moves(
         for move in moves
     ]
     moves = [_turning(move, angle, centres) if angle else move for move in moves]
-    return required_moves + [_shifted(move, shift) if shift else move for move in moves], kept
+    moves = required_moves + [_shifted(move, shift) if shift else move for move in moves]
+    return moves, kept, bool(ringed)
 
 
 def _as_they_are(
@@ -230,10 +233,9 @@ def _as_they_are(
 
 
 def _kept_whole(
-    a: Sequence[PenLine], b: Sequence[PenLine], *, may_turn: bool
+    a: Sequence[PenLine], b: Sequence[PenLine], ringed: list[Partners]
 ) -> tuple[list[Move], float, list[list[PenLine]]]:
     """Return how lines move that stay, travel as one or leave a ring, the length that is kept, and the other lines."""
-    ringed = sign_in_ring(a, b) if may_turn else []
     runs = [] if ringed else common_runs(a, b)
     together = ringed or _travelling_together(a, b, runs)
     taken = {pair.a for pair in together}, {pair.b for pair in together}

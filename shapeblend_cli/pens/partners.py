@@ -11,7 +11,7 @@ from shapeblend_cli.geometry.crossings import line_crossings
 from shapeblend_cli.geometry.grouping import assign
 from shapeblend_cli.geometry.polygons import winding_numbers
 from shapeblend_cli.model import Box
-from shapeblend_cli.pens.line import at, corners, evenly, foot_points, length, part_of
+from shapeblend_cli.pens.line import apart, at, corners, evenly, foot_points, length, part_of
 from shapeblend_cli.pens.line_costs import alone_cost, best_halves, partner_cost, ways_between
 from shapeblend_cli.pens.moves import alike
 
@@ -136,17 +136,20 @@ def sign_in_ring(a: Sequence[PenLine], b: Sequence[PenLine]) -> list[Partners]:
     if len(more) != len(fewer) + 1 or not fewer or (len(fewer) == 1 and fewer[0].closed):
         return []
     rings = [k for k, line in enumerate(more) if line.closed and _is_around(line, more)]
+    if len(rings) != 1:
+        return []
     inside = [k for k in range(len(more)) if k not in rings]
     mapped = _scaled_onto([more[k].drawn for k in inside], [line.drawn for line in fewer])
-    if len(rings) != 1 or mapped is None:
+    if (
+        mapped is None
+        or max(np.abs(p - more[k].drawn).max() for p, k in zip(mapped, inside, strict=True)) < LEAST_SHIFT
+    ):
         return []
-    if max(np.abs(p - more[k].drawn).max() for p, k in zip(mapped, inside, strict=True)) < LEAST_SHIFT:
-        return []
-    apart = np.array([[_apart(p, line) for line in fewer] for p in mapped])
+    distances = np.array([[apart(p, line.drawn) for line in fewer] for p in mapped])
     found = []
-    for i, j in assign(apart):
+    for i, j in assign(distances):
         p, q = more[inside[i]], fewer[j]
-        if apart[i, j] > SAME_SIGN or p.closed != q.closed:
+        if distances[i, j] > SAME_SIGN or p.closed != q.closed:
             return []
         moved = p._replace(points=mapped[i][: len(p.points)])
         shares = np.linspace(0.0, 1.0, 17)
@@ -179,12 +182,6 @@ def _scaled_onto(a: Sequence[ComplexArray], b: Sequence[ComplexArray]) -> list[C
     x, y = (known[0] if scale is None else scale for scale in scales)
     away = (points - one.centre for points in a)
     return [other.centre + x * each.real + 1j * y * each.imag for each in away]
-
-
-def _apart(points: ComplexArray, line: PenLine) -> float:
-    """Return the largest distance of a polyline and a line from each other."""
-    sides = (points, line.drawn), (line.drawn, points)
-    return max(float(foot_points(evenly(one, 0.5), other)[0].max()) for one, other in sides)
 
 
 def least_work(a: Sequence[PenLine], b: Sequence[PenLine], centres: tuple[complex, complex]) -> Assignment:

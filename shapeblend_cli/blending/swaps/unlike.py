@@ -214,11 +214,10 @@ def _is_sign(drawing: PlacedDrawing, pen: PenDrawing) -> bool:
 def _is_cut_out(solid: PlacedDrawing) -> bool:
     """Return whether a drawing is one plate with a sign cut out of it."""
     outlines = [contour for contour in solid.contours if contour.role == EXTERIOR]
-    plates = [contour.box for contour in outlines]
     holes = [contour.box for contour in solid.contours if contour.role == HOLE]
-    if len(plates) != 1 or not holes or outlines[0].area < FULL * plates[0].area:
+    if len(outlines) != 1 or not holes or outlines[0].area < FULL * outlines[0].box.area:
         return False
-    return Box.union(holes).larger_side >= LEAST_CUT_OUT * plates[0].larger_side
+    return Box.union(holes).larger_side >= LEAST_CUT_OUT * outlines[0].box.larger_side
 
 
 def _is_sent_back(shapes: Shapes, lines: Sequence[PenLine], others: Sequence[PenLine], view: Box) -> bool:

@@ -12,7 +12,13 @@ import numpy as np
 from shapeblend_cli.geometry import cubics
 from shapeblend_cli.geometry.crossings import path_crossings
 from shapeblend_cli.geometry.grouping import overlaps
-from shapeblend_cli.geometry.polygons import rectangle, reverse_contour, signed_area, winding_numbers
+from shapeblend_cli.geometry.polygons import (
+    is_rectangle,
+    rectangle,
+    reverse_contour,
+    signed_area,
+    winding_numbers,
+)
 from shapeblend_cli.model import MOST_CONTOURS, Box, Clip, Contour
 from shapeblend_cli.svg.reading import contours, viewports
 from shapeblend_cli.svg.reading.elements import contours_of
@@ -388,15 +394,5 @@ def covers(clip: Clip, painted: Box) -> bool:
     if len(clip.paths) != 1:
         return False
     (path,) = clip.paths
-    nodes = path.segments[:, 0]
-    steps = np.diff(np.append(nodes, nodes[0]))
-    is_upright = bool(
-        (np.minimum(np.abs(steps.real), np.abs(steps.imag)) <= SLACK * np.abs(steps).max()).all()
-    )
     box = cubics.bounds(path.segments)
-    return (
-        is_upright
-        and len(nodes) == 4
-        and bool(path.straight.all())
-        and box.contains(painted, SLACK * box.diagonal)
-    )
+    return is_rectangle(path) and box.contains(painted, SLACK * box.diagonal)
